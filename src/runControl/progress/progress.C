@@ -1,0 +1,137 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "progress.H"
+
+#include <cstdio>
+
+// * * * * * * * * * * * * * * * Local functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+struct timeUnit
+{
+    double seconds;
+    const char* name;
+};
+
+//- Julian year, as geology reckons
+constexpr timeUnit timeUnits[] =
+{
+    {31557600, "a"}, {86400, "d"}, {3600, "h"}, {1, "s"},
+    {1e-3, "ms"}, {1e-6, "us"}, {1e-9, "ns"}, {1e-12, "ps"}
+};
+
+
+//- The largest unit of which the duration has at least one
+timeUnit unitFor(const double seconds)
+{
+    for (const timeUnit& unit : timeUnits)
+    {
+        if (std::abs(seconds) >= unit.seconds)
+        {
+            return unit;
+        }
+    }
+    return {1, "s"};
+}
+
+
+template<class... Arguments>
+std::string formatted(const char* format, Arguments... arguments)
+{
+    char text[128];
+    std::snprintf(text, sizeof(text), format, arguments...);
+    return text;
+}
+
+} // End anonymous namespace
+
+
+std::string Foam::withTimeUnit(const scalar seconds)
+{
+    const timeUnit unit = unitFor(seconds);
+    return formatted("%.5g %s", double(seconds)/unit.seconds, unit.name);
+}
+
+
+std::string Foam::asClock(const scalar seconds)
+{
+    // Beyond this the days have no room, nor meaning
+    if (!(seconds >= 0) || seconds > 1e5*86400)
+    {
+        return "-";
+    }
+
+    const long all = long(seconds + 0.5);
+    const long days = all/86400;
+
+    return
+        (days ? formatted("%ldd ", days) : std::string())
+      + formatted("%ld:%02ld:%02ld", all/3600%24, all/60%60, all%60);
+}
+
+
+// * * * * * * * * * * * * * * * Member functions  * * * * * * * * * * * * * //
+
+Foam::progress::progress(const Time& runTime)
+:
+    time_(runTime),
+    start_(runTime.value()),
+    begun_(std::chrono::steady_clock::now())
+{}
+
+
+Foam::scalar Foam::progress::elapsedSeconds() const
+{
+    return
+        std::chrono::duration<double>
+        (
+            std::chrono::steady_clock::now() - begun_
+        ).count();
+}
+
+
+std::string Foam::progress::line
+(
+    const label platelets,
+    const scalar elapsedSeconds
+) const
+{
+    const scalar now = time_.value();
+    const scalar end = time_.endTime().value();
+
+    // stopAt other than endTime sets the end to GREAT
+    const bool endIsKnown = end > start_ && end < 0.1*GREAT;
+
+    // One unit for all lines of a run
+    const timeUnit unit = unitFor(endIsKnown ? end : now);
+
+    std::string text = formatted("t = %-.5g %s", now/unit.seconds, unit.name);
+    text.resize(std::max<std::size_t>(text.size(), 18), ' ');
+
+    if (endIsKnown)
+    {
+        text += formatted(" %5.1f %%", 100*now/end);
+    }
+    if (platelets >= 0)
+    {
+        text += formatted("  %9ld platelets", long(platelets));
+    }
+    if (endIsKnown && now > start_)
+    {
+        text +=
+            "  left "
+          + asClock(elapsedSeconds*max(end - now, 0.)/(now - start_));
+    }
+    return text;
+}
+
+
+void Foam::progress::report(const label platelets) const
+{
+    Info<< line(platelets, elapsedSeconds()).c_str() << endl;
+}

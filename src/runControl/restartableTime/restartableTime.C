@@ -1,0 +1,401 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "restartableTime.H"
+
+#include "IOdictionary.H"
+#include "PstreamReduceOps.H"
+#include "argList.H"
+#include "completeTimes.H"
+#include "exactTimeState.H"
+#include "fileOperation.H"
+#include "incompleteMarker.H"
+#include "wholeFiles.H"
+
+#include <csignal>
+
+// * * * * * * * * * * * * * * * Local functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Sets a value for as long as it lives
+template<class Type>
+class temporarily
+{
+    Type& variable_;
+    const Type saved_;
+
+public:
+
+    temporarily(Type& variable, const Type& value)
+    :
+        variable_(variable),
+        saved_(variable)
+    {
+        variable_ = value;
+    }
+
+    ~temporarily()
+    {
+        variable_ = saved_;
+    }
+};
+
+
+//- Function objects are on as the program's options say
+bool functionObjectsWanted(const Foam::argList& args)
+{
+    using Foam::argList;
+
+    return
+        argList::validOptions.found("withFunctionObjects")
+      ? args.found("withFunctionObjects")
+      : argList::validOptions.found("noFunctionObjects")
+     && !args.found("noFunctionObjects");
+}
+
+
+void refuseCollated(const Foam::word& handler, const Foam::dictionary& dict)
+{
+    if
+    (
+        Foam::Pstream::parRun()
+     && handler != "uncollated"
+     && handler != "masterUncollated"
+    )
+    {
+        FatalIOErrorInFunction(dict)
+            << "The file handler " << handler << " is not supported: a run "
+            << "could not tell which rank's data are complete." << Foam::nl
+            << "Use -fileHandler uncollated (or masterUncollated)"
+            << Foam::exit(Foam::FatalIOError);
+    }
+}
+
+} // End anonymous namespace
+
+
+struct Foam::restartableTime::beginning
+{
+    dictionary controlDict;
+    fileNameList files;
+    instant start;
+
+    explicit beginning(const argList& args)
+    {
+        // A Time that reads nothing, so that no time directory is looked into
+        // before the choice
+        Time caseOnly
+        (
+            args.rootPath(),
+            args.caseName(),
+            "system",
+            "constant",
+            false,
+            false
+        );
+
+        unwatchedIOdictionary read
+        (
+            IOobject
+            (
+                controlDictName,
+                caseOnly.system(),
+                caseOnly,
+                IOobject::MUST_READ_IF_MODIFIED,
+                IOobject::NO_WRITE,
+                false
+            )
+        );
+        files = read.files();
+        controlDict = read;
+
+        word handler(fileHandler().type());
+        if (const dictionary* switches = read.findDict("OptimisationSwitches"))
+        {
+            switches->readIfPresent("fileHandler", handler);
+        }
+        refuseCollated(handler, read);
+
+        start = completeTimes(args.path()).start(read);
+
+        controlDict.set("startFrom", word("startTime"));
+        controlDict.set("startTime", start.value());
+    }
+};
+
+
+// * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * * //
+
+Foam::restartableTime::restartableTime(const argList& args)
+:
+    restartableTime(args, beginning(args))
+{}
+
+
+Foam::restartableTime::restartableTime
+(
+    const argList& args,
+    const beginning& chosen
+)
+:
+    Time
+    (
+        chosen.controlDict,
+        args.rootPath(),
+        args.caseName(),
+        "system",
+        "constant",
+        functionObjectsWanted(args),
+        !args.found("no-libs")
+    ),
+    timesKept_(purgeWrite_),
+    timesWritten_(),
+    lastComplete_(chosen.start.name()),
+    scheduleStart_(startTime_)
+{
+    purgeWrite_ = 0;
+
+    // Time can't know which file its dictionary came from
+    if (runTimeModifiable())
+    {
+        auto& control = const_cast<unwatchedIOdictionary&>
+        (
+            dynamic_cast<const unwatchedIOdictionary&>(controlDict())
+        );
+        fileHandler().addWatches(control, chosen.files);
+    }
+
+    // As written by hand: 1e-3 for 0.001
+    if (!chosen.start.name().empty())
+    {
+        dimensionedScalar::name() = chosen.start.name();
+    }
+
+    readExactState();
+
+    // A file beyond `ulimit -f` then fails as on a full disk, with a message,
+    // instead of killing the run
+    std::signal(SIGXFSZ, SIG_IGN);
+}
+
+
+// * * * * * * * * * * * * * * * * * Private * * * * * * * * * * * * * * * * //
+
+void Foam::restartableTime::readExactState()
+{
+    const IOdictionary dict
+    (
+        IOobject
+        (
+            "restartableTime",
+            timeName(),
+            "uniform",
+            *this,
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+
+    if (dict.empty())
+    {
+        return;
+    }
+
+    const exactTimeState state(exactTimeState::read(dict));
+
+    if (state.name != timeName())
+    {
+        Info<< "Time directory " << timeName() << " was " << state.name
+            << " when it was written: its uniform/restartableTime is not used"
+            << nl << endl;
+        return;
+    }
+
+    value() = state.value;
+    startTime_ = state.value;
+    scheduleStart_ = state.value;
+    deltaT0_ = state.deltaT0;
+
+    // As in Time: without adjustTimeStep the dictionary's deltaT counts
+    if (isAdjustTimeStep())
+    {
+        deltaT_ = state.deltaT;
+        deltaTSave_ = state.deltaT;
+    }
+
+    if
+    (
+        state.writeControl == writeControlNames[writeControl_]
+     && state.writeInterval == writeInterval_
+    )
+    {
+        scheduleStart_ = state.scheduleStart;
+        writeTimeIndex_ = state.writeTimeIndex;
+    }
+}
+
+
+bool Foam::restartableTime::writeExactState() const
+{
+    exactTimeState state;
+    state.name = timeName();
+    state.value = value();
+    state.deltaT = deltaT_;
+    state.deltaT0 = deltaT0_;
+    state.scheduleStart = scheduleStart_;
+    state.writeTimeIndex = writeTimeIndex_;
+    state.writeControl = writeControlNames[writeControl_];
+    state.writeInterval = writeInterval_;
+
+    IOdictionary dict
+    (
+        IOobject
+        (
+            "restartableTime",
+            timeName(),
+            "uniform",
+            *this,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+    state.write(dict);
+
+    return dict.regIOobject::write();
+}
+
+
+void Foam::restartableTime::purge() const
+{
+    if (timesWritten_.empty() || timesWritten_.top() != timeName())
+    {
+        timesWritten_.push(timeName());
+    }
+
+    while (timesKept_ && timesWritten_.size() > timesKept_)
+    {
+        const fileName old(path()/timesWritten_.pop());
+
+        if (!incompleteMarker::removeTime(old))
+        {
+            WarningInFunction
+                << "Could not remove " << old << " (purgeWrite)" << endl;
+        }
+    }
+}
+
+
+void Foam::restartableTime::refuseIncomplete(const string& reason) const
+{
+    List<string> reasons(Pstream::nProcs());
+    reasons[Pstream::myProcNo()] = reason;
+    Pstream::gatherList(reasons);
+    Pstream::scatterList(reasons);
+
+    for (const string& first : reasons)
+    {
+        if (!first.empty())
+        {
+            FatalErrorInFunction
+                << "Time " << timeName() << " could not be written: "
+                << first.c_str() << nl
+                << "Is the disk full, or a quota or file-size limit reached?"
+                << nl;
+
+            if (lastComplete_.empty())
+            {
+                FatalError
+                    << "No time was written before.";
+            }
+            else
+            {
+                FatalError
+                    << "The last complete time is " << lastComplete_
+                    << ", unharmed: a restart goes on from there.";
+            }
+            FatalError << exit(FatalError);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Protected * * * * * * * * * * * * * * * * //
+
+void Foam::restartableTime::readDict()
+{
+    Time::readDict();
+
+    timesKept_ = max(0, controlDict().getOrDefault<label>("purgeWrite", 0));
+    purgeWrite_ = 0;
+}
+
+
+// * * * * * * * * * * * * * * * Member functions  * * * * * * * * * * * * * //
+
+bool Foam::restartableTime::write(const bool valid) const
+{
+    if (!writeTime())
+    {
+        return false;
+    }
+
+    const fileName directory(timePath());
+    const fileName marker(incompleteMarker::path(directory));
+
+    // The time that is written anew is no longer the last complete one
+    if (lastComplete_ == timeName())
+    {
+        lastComplete_.clear();
+    }
+
+    refuseIncomplete
+    (
+        incompleteMarker::set(directory)
+      ? string()
+      : string("can't create " + marker)
+    );
+
+    const bool written = Time::write(valid) && writeExactState();
+    const fileName broken(wholeFiles::firstBroken(directory, marker));
+
+    refuseIncomplete
+    (
+        !broken.empty() ? string(broken + " is not whole")
+      : !written ? string("OpenFOAM reports a failure in " + directory)
+      : string()
+    );
+
+    refuseIncomplete
+    (
+        incompleteMarker::remove(directory)
+      ? string()
+      : string("can't remove " + marker)
+    );
+
+    lastComplete_ = timeName();
+
+    // Only now, when no rank has the marker
+    purge();
+
+    return true;
+}
+
+
+void Foam::restartableTime::setDeltaT(const scalar deltaT, const bool adjust)
+{
+    const temporarily<scalar> anchor(startTime_, scheduleStart_);
+    Time::setDeltaT(deltaT, adjust);
+}
+
+
+Foam::Time& Foam::restartableTime::operator++()
+{
+    const temporarily<scalar> anchor(startTime_, scheduleStart_);
+    return Time::operator++();
+}

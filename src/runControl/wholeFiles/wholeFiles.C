@@ -1,0 +1,181 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "wholeFiles.H"
+#include "IFstream.H"
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace Foam
+{
+namespace wholeFiles
+{
+
+namespace
+{
+
+//- Longer than OpenFOAM's divider and the empty lines around it
+constexpr std::size_t tailLength = 160;
+
+
+//- std::filesystem knows std::string, not what OpenFOAM derives from it
+std::filesystem::path asPath(const std::string& name)
+{
+    return name;
+}
+
+
+//- OpenFOAM's files begin with its banner or with the header itself
+bool beginsAsOpenFOAM(const std::string& head)
+{
+    return head.rfind("/*--", 0) == 0 || head.rfind("FoamFile", 0) == 0;
+}
+
+
+bool endsAsOpenFOAM(const std::string& tail)
+{
+    const auto last = tail.find_last_not_of(" \n\r\t");
+
+    if (last == std::string::npos || last < 5)
+    {
+        return false;
+    }
+
+    const auto line = tail.rfind("// *", last);
+
+    return
+        line != std::string::npos
+     && tail.compare(last - 4, 5, "** //") == 0
+     && tail.find('\n', line) >= last;
+}
+
+
+bool compressedIsWhole(const fileName& file)
+{
+    std::ifstream raw(file, std::ios::binary | std::ios::ate);
+    const std::streamoff size = raw.tellg();
+
+    // Header and trailer of gzip alone take 18 bytes
+    if (!raw || size < 18)
+    {
+        return false;
+    }
+
+    unsigned char trailer[4];
+    raw.seekg(size - 4);
+    raw.read(reinterpret_cast<char*>(trailer), 4);
+    const std::uint32_t stated =
+        trailer[0] | trailer[1] << 8 | trailer[2] << 16
+      | std::uint32_t(trailer[3]) << 24;
+
+    // OpenFOAM opens x.gz where x is asked for
+    IFstream zipped(fileName(file).lessExt());
+    std::istream& is = zipped.stdStream();
+
+    std::string head;
+    std::string tail;
+    std::vector<char> block(1 << 16);
+    std::uint32_t length = 0;
+
+    while (is)
+    {
+        is.read(block.data(), block.size());
+        const std::size_t got = is.gcount();
+
+        if (head.empty())
+        {
+            head.assign(block.data(), std::min<std::size_t>(got, 16));
+        }
+        tail.append(block.data(), got);
+        tail.erase(0, tail.size() - std::min(tail.size(), tailLength));
+        length += got;
+    }
+
+    return
+        length == stated
+     && (!beginsAsOpenFOAM(head) || endsAsOpenFOAM(tail));
+}
+
+} // End anonymous namespace
+
+
+bool isWhole(const fileName& file)
+{
+    if (file.hasExt("gz"))
+    {
+        return compressedIsWhole(file);
+    }
+
+    std::ifstream is(file, std::ios::binary | std::ios::ate);
+    const std::streamoff size = is.tellg();
+
+    if (!is || size <= 0)
+    {
+        return false;
+    }
+
+    std::string head(std::min<std::streamoff>(size, 16), '\0');
+    is.seekg(0);
+    is.read(&head[0], head.size());
+
+    std::string tail(std::min<std::streamoff>(size, tailLength), '\0');
+    is.seekg(size - std::streamoff(tail.size()));
+    is.read(&tail[0], tail.size());
+
+    return is && (!beginsAsOpenFOAM(head) || endsAsOpenFOAM(tail));
+}
+
+
+fileName firstBroken(const fileName& directory, const fileName& since)
+{
+    namespace fs = std::filesystem;
+
+    std::error_code error;
+    const auto begun = fs::last_write_time(asPath(since), error);
+    if (error)
+    {
+        return since;
+    }
+
+    std::vector<std::string> files;
+    fs::recursive_directory_iterator entries(asPath(directory), error);
+
+    for (const auto& entry : entries)
+    {
+        if
+        (
+            entry.is_regular_file(error)
+         && entry.path().string() != since
+         && entry.last_write_time(error) >= begun
+        )
+        {
+            files.push_back(entry.path().string());
+        }
+    }
+    if (error)
+    {
+        return directory;
+    }
+
+    std::sort(files.begin(), files.end());
+
+    for (const std::string& file : files)
+    {
+        if (!isWhole(file))
+        {
+            return file;
+        }
+    }
+
+    return fileName();
+}
+
+} // End namespace wholeFiles
+} // End namespace Foam
