@@ -1,0 +1,188 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+\*---------------------------------------------------------------------------*/
+
+#include "checkWords.H"
+#include "error.H"
+
+#include <algorithm>
+#include <cctype>
+#include <vector>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using Foam::word;
+
+// Damerau-Levenshtein distance of neighbouring swaps ("optimal string
+// alignment"): the errors of a typing hand
+std::size_t typingErrors(const word& a, const word& b)
+{
+    const auto same = [](const char x, const char y)
+    {
+        return
+            std::tolower(static_cast<unsigned char>(x))
+         == std::tolower(static_cast<unsigned char>(y));
+    };
+
+    std::vector<std::vector<std::size_t>> d
+    (
+        a.size() + 1,
+        std::vector<std::size_t>(b.size() + 1)
+    );
+
+    for (std::size_t i = 0; i <= a.size(); ++i)
+    {
+        for (std::size_t j = 0; j <= b.size(); ++j)
+        {
+            if (i == 0 || j == 0)
+            {
+                d[i][j] = i + j;
+                continue;
+            }
+
+            d[i][j] = std::min
+            ({
+                d[i-1][j] + 1,
+                d[i][j-1] + 1,
+                d[i-1][j-1] + (same(a[i-1], b[j-1]) ? 0 : 1)
+            });
+
+            if
+            (
+                i > 1 && j > 1
+             && same(a[i-1], b[j-2]) && same(a[i-2], b[j-1])
+            )
+            {
+                d[i][j] = std::min(d[i][j], d[i-2][j-2] + 1);
+            }
+        }
+    }
+
+    return d[a.size()][b.size()];
+}
+
+
+void refuse
+(
+    const Foam::dictionary& dict,
+    const Foam::entry* wrong,
+    const Foam::string& what,
+    const word& value,
+    const Foam::UList<word>& validWords
+)
+{
+    using namespace Foam;
+
+    const word nearest(colloid::nearestWord(value, validWords));
+
+    auto& message = FatalIOError
+    (
+        FUNCTION_NAME,
+        __FILE__,
+        __LINE__,
+        dict.name(),
+        wrong ? wrong->startLineNumber() : dict.startLineNumber(),
+        wrong ? wrong->endLineNumber() : dict.endLineNumber()
+    );
+
+    message << what << " '" << value << "'";
+
+    if (!nearest.empty())
+    {
+        message << "; did you mean '" << nearest << "'?";
+    }
+
+    message << nl << "Valid words:";
+
+    for (const word& valid : validWords)
+    {
+        message << ' ' << valid;
+    }
+
+    message << nl << exit(FatalIOError);
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::word Foam::colloid::nearestWord
+(
+    const word& wrong,
+    const UList<word>& validWords
+)
+{
+    word nearest;
+
+    // Beyond every second letter wrong it is another word
+    std::size_t fewest = std::max<std::size_t>(2, wrong.size()/2) + 1;
+
+    for (const word& valid : validWords)
+    {
+        const std::size_t errors = typingErrors(wrong, valid);
+
+        if (errors < fewest)
+        {
+            fewest = errors;
+            nearest = valid;
+        }
+    }
+
+    return nearest;
+}
+
+
+void Foam::colloid::checkWords
+(
+    const dictionary& dict,
+    const UList<word>& validWords
+)
+{
+    for (const entry& e : dict)
+    {
+        const word keyword(e.keyword());
+
+        if (!validWords.found(keyword) && keyword != "FoamFile")
+        {
+            refuse
+            (
+                dict,
+                &e,
+                "Unknown entry in " + dict.dictName() + ":",
+                keyword,
+                validWords
+            );
+        }
+    }
+}
+
+
+void Foam::colloid::checkChoice
+(
+    const dictionary& dict,
+    const word& keyword,
+    const word& value,
+    const UList<word>& validWords
+)
+{
+    if (!validWords.found(value))
+    {
+        refuse
+        (
+            dict,
+            dict.findEntry(keyword, keyType::LITERAL),
+            "Unknown " + keyword + " in " + dict.dictName() + ":",
+            value,
+            validWords
+        );
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,73 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+\*---------------------------------------------------------------------------*/
+
+#include "readInRange.H"
+#include "error.H"
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::colloid::readInRange
+(
+    const dictionary& dict,
+    const word& keyword,
+    const scalar lower,
+    const scalar upper,
+    const char* unit
+)
+{
+    const entry* given = dict.findEntry(keyword, keyType::LITERAL);
+
+    if (!given)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << keyword << "' is missing in " << dict.dictName()
+            << nl << "It is a number from " << lower << " to " << upper
+            << ' ' << unit << nl
+            << exit(FatalIOError);
+    }
+
+    const scalar value = dict.get<scalar>(keyword, keyType::LITERAL);
+
+    // Written so that nan is refused, too
+    if (!(value >= lower && value <= upper))
+    {
+        FatalIOError
+        (
+            FUNCTION_NAME,
+            __FILE__,
+            __LINE__,
+            dict.name(),
+            given->startLineNumber(),
+            given->endLineNumber()
+        )
+            << "Impossible " << keyword << ' ' << value << " in "
+            << dict.dictName() << nl
+            << "Valid: from " << lower << " to " << upper << ' ' << unit << nl
+            << exit(FatalIOError);
+    }
+
+    return value;
+}
+
+
+Foam::scalar Foam::colloid::readInRange
+(
+    const dictionary& dict,
+    const word& keyword,
+    const scalar defaultValue,
+    const scalar lower,
+    const scalar upper,
+    const char* unit
+)
+{
+    return
+        dict.found(keyword, keyType::LITERAL)
+      ? readInRange(dict, keyword, lower, upper, unit)
+      : defaultValue;
+}
+
+
+// ************************************************************************* //
