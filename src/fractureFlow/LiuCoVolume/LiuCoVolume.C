@@ -1,0 +1,258 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "LiuCoVolume.H"
+#include "calculatedFvPatchFields.H"
+#include "IOdictionary.H"
+#include "surfaceFields.H"
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace viscosityModels
+{
+    defineTypeNameAndDebug(LiuCoVolume, 0);
+    addToRunTimeSelectionTable(viscosityModel, LiuCoVolume, dictionary);
+}
+}
+
+static const Foam::word alphaName("alpha.clay");
+
+
+void Foam::viscosityModels::LiuCoVolume::refuseCoeffs
+(
+    const dictionary& viscosityProperties
+)
+{
+    const dictionary& coeffs =
+        viscosityProperties.subOrEmptyDict(typeName + "Coeffs");
+
+    if (!coeffs.empty())
+    {
+        FatalIOErrorInFunction(viscosityProperties)
+            << typeName << "Coeffs has entries " << flatOutput(coeffs.toc())
+            << nl << "The coefficients of " << typeName << " are those of"
+            << " constant/clayProperties (platelet, water, viscosity,"
+            << " flocculation), so that each number is in one place;"
+            << " leave " << typeName << "Coeffs out"
+            << exit(FatalIOError);
+    }
+}
+
+
+const Foam::volScalarField& Foam::viscosityModels::LiuCoVolume::alpha()
+{
+    const Time& time = U_.time();
+
+    if (!alpha_)
+    {
+        alpha_ = U_.db().findObject<volScalarField>(alphaName);
+    }
+
+    if (alpha_)
+    {
+        return *alpha_;
+    }
+
+    IOobject io
+    (
+        alphaName,
+        time.timeName(),
+        U_.db(),
+        IOobject::MUST_READ,
+        IOobject::AUTO_WRITE
+    );
+
+    if (!ownAlpha_.valid())
+    {
+        ownAlpha_.reset(new volScalarField(io, U_.mesh()));
+    }
+    else if (alphaTimeIndex_ != time.timeIndex())
+    {
+        io.registerObject() = false;
+
+        if (io.typeHeaderOk<volScalarField>(true))
+        {
+            *ownAlpha_ == volScalarField(io, U_.mesh());
+        }
+    }
+    alphaTimeIndex_ = time.timeIndex();
+
+    return *ownAlpha_;
+}
+
+
+void Foam::viscosityModels::LiuCoVolume::updateLaw()
+{
+    const Time& time = U_.time();
+
+    if
+    (
+        !law_.valid()
+     || (properties_->concentrationVaries() && lawTime_ != time.value())
+    )
+    {
+        lawTime_ = time.value();
+        law_ = autoPtr<colloid::coVolumeViscosity>::New
+        (
+            properties_->viscosity(properties_->waterAt(lawTime_))
+        );
+    }
+}
+
+
+void Foam::viscosityModels::LiuCoVolume::evaluate
+(
+    scalarField& nu,
+    const scalarField& alpha
+) const
+{
+    const scalar nuWater = this->nuWater().value();
+
+    forAll(nu, i)
+    {
+        nu[i] = nuWater*law_->relativeViscosity(alpha[i]);
+    }
+}
+
+
+Foam::viscosityModels::LiuCoVolume::LiuCoVolume
+(
+    const word& name,
+    const dictionary& viscosityProperties,
+    const volVectorField& U,
+    const surfaceScalarField& phi,
+    const volScalarField* alpha,
+    colloid::clayProperties* properties
+)
+:
+    viscosityModel(name, viscosityProperties, U, phi),
+    alpha_(alpha),
+    alphaTimeIndex_(-1),
+    properties_(properties),
+    lawTime_(0),
+    nu_
+    (
+        IOobject
+        (
+            name,
+            U.time().timeName(),
+            U.db(),
+            IOobject::NO_READ,
+            IOobject::AUTO_WRITE
+        ),
+        U.mesh(),
+        dimensionedScalar(dimViscosity, Zero),
+        calculatedFvPatchScalarField::typeName
+    )
+{
+    refuseCoeffs(viscosityProperties);
+    correct();
+}
+
+
+Foam::viscosityModels::LiuCoVolume::LiuCoVolume
+(
+    const word& name,
+    const dictionary& viscosityProperties,
+    const volVectorField& U,
+    const surfaceScalarField& phi
+)
+:
+    LiuCoVolume
+    (
+        name,
+        viscosityProperties,
+        U,
+        phi,
+        nullptr,
+        new colloid::clayProperties(U.time())
+    )
+{}
+
+
+Foam::viscosityModels::LiuCoVolume::LiuCoVolume
+(
+    const word& name,
+    const volVectorField& U,
+    const surfaceScalarField& phi,
+    const volScalarField& alpha
+)
+:
+    LiuCoVolume
+    (
+        name,
+        dictionary(),
+        U,
+        phi,
+        &alpha,
+        new colloid::clayProperties
+        (
+            IOdictionary
+            (
+                IOobject
+                (
+                    "clayProperties",
+                    U.time().constant(),
+                    U.time(),
+                    IOobject::MUST_READ,
+                    IOobject::NO_WRITE,
+                    false
+                )
+            )
+        )
+    )
+{}
+
+
+Foam::dimensionedScalar
+Foam::viscosityModels::LiuCoVolume::nuWater() const
+{
+    const colloid::water water(properties_->waterAt(lawTime_));
+
+    return dimensionedScalar
+    (
+        "nuWater",
+        dimViscosity,
+        water.viscosity/water.density
+    );
+}
+
+
+void Foam::viscosityModels::LiuCoVolume::correct()
+{
+    const volScalarField& alpha = this->alpha();
+    updateLaw();
+
+    evaluate(nu_.primitiveFieldRef(), alpha.primitiveField());
+
+    volScalarField::Boundary& nuBoundary = nu_.boundaryFieldRef();
+
+    forAll(nuBoundary, patchi)
+    {
+        const fvPatchScalarField& alphaPatch = alpha.boundaryField()[patchi];
+
+        // The filter leaves no value on patches that fix none
+        evaluate
+        (
+            nuBoundary[patchi],
+            alphaPatch.fixesValue() || alphaPatch.coupled()
+          ? static_cast<const scalarField&>(alphaPatch)
+          : alphaPatch.patchInternalField()()
+        );
+    }
+}
+
+
+bool Foam::viscosityModels::LiuCoVolume::read
+(
+    const dictionary& viscosityProperties
+)
+{
+    viscosityModel::read(viscosityProperties);
+    refuseCoeffs(viscosityProperties);
+
+    return true;
+}

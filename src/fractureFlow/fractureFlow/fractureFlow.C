@@ -1,0 +1,97 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "fractureFlow.H"
+#include "LiuCoVolume.H"
+#include "calculatedFvPatchFields.H"
+
+namespace Foam
+{
+    defineTypeNameAndDebug(fractureFlow, 0);
+    defineRunTimeSelectionTable(fractureFlow, dictionary);
+}
+
+
+Foam::autoPtr<Foam::volVectorField> Foam::fractureFlow::newU
+(
+    const fvMesh& mesh,
+    const IOobject::readOption rOpt
+)
+{
+    const IOobject io
+    (
+        "U",
+        mesh.time().timeName(),
+        mesh,
+        rOpt,
+        IOobject::AUTO_WRITE
+    );
+
+    if (rOpt == IOobject::MUST_READ)
+    {
+        return autoPtr<volVectorField>::New(io, mesh);
+    }
+
+    return autoPtr<volVectorField>::New
+    (
+        io,
+        mesh,
+        dimensionedVector(dimVelocity, Zero),
+        calculatedFvPatchVectorField::typeName
+    );
+}
+
+
+Foam::fractureFlow::fractureFlow
+(
+    fvMesh& mesh,
+    const volScalarField& alpha,
+    const dictionary& coeffs,
+    const IOobject::readOption readU
+)
+:
+    mesh_(mesh),
+    alpha_(alpha),
+    coeffs_(coeffs),
+    U_(newU(mesh, readU)),
+    phi_
+    (
+        IOobject
+        (
+            "phi",
+            mesh.time().timeName(),
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        ),
+        mesh,
+        dimensionedScalar(dimVelocity*dimArea, Zero)
+    )
+{}
+
+
+Foam::fractureFlow::~fractureFlow()
+{}
+
+
+Foam::viscosityModels::LiuCoVolume& Foam::fractureFlow::viscosity()
+{
+    if (!viscosity_.valid())
+    {
+        viscosity_.reset
+        (
+            new viscosityModels::LiuCoVolume("nu", *U_, phi_, alpha_)
+        );
+    }
+
+    return *viscosity_;
+}
+
+
+const Foam::volScalarField& Foam::fractureFlow::nu()
+{
+    viscosity().correct();
+    return viscosity().nuField();
+}

@@ -1,0 +1,130 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "localViscosityFlow.H"
+#include "LiuCoVolume.H"
+#include "checkWords.H"
+#include "linear.H"
+#include "fvcReconstruct.H"
+#include "fvcSurfaceIntegrate.H"
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace fractureFlows
+{
+    defineTypeNameAndDebug(localViscosityFlow, 0);
+    addToRunTimeSelectionTable(fractureFlow, localViscosityFlow, dictionary);
+}
+}
+
+
+void Foam::fractureFlows::localViscosityFlow::checkDivergence()
+{
+    const scalarField outflow
+    (
+        fvc::surfaceIntegrate(phi())().primitiveField()
+    );
+    const scalar divergence = gMax(mag(outflow));
+
+    // Round-off of the sum over a cell's faces, in units of its largest flux
+    const scalar largestFlux = gMax(mag(phi())().primitiveField());
+    const scalar relative =
+        gMax(mag(outflow*mesh().V()))/max(largestFlux, VSMALL);
+
+    if (divergence > maxDivergence_ || maxDivergence_ < 0)
+    {
+        maxDivergence_ = divergence;
+        Info<< "localViscosity: max |div(U)| " << divergence << " 1/s, "
+            << relative << " of the largest flux through a face" << endl;
+    }
+
+    if (relative > 1e-9)
+    {
+        FatalErrorInFunction
+            << "The completed flow is not divergence-free: a cell gains "
+            << relative << " of the largest flux through a face"
+            << exit(FatalError);
+    }
+}
+
+
+void Foam::fractureFlows::localViscosityFlow::reconstructU()
+{
+    U() == fvc::reconstruct(phi());
+
+    // fvc::reconstruct copies the cell's value to the boundary
+    volVectorField::Boundary& Ub = U().boundaryFieldRef();
+
+    forAll(Ub, patchi)
+    {
+        if (!Ub[patchi].coupled())
+        {
+            const fvPatch& patch = mesh().boundary()[patchi];
+            const vectorField normal(patch.nf());
+
+            Ub[patchi] == Ub[patchi]
+              + normal
+               *(
+                    phi().boundaryField()[patchi]/patch.magSf()
+                  - (normal & Ub[patchi])
+                );
+        }
+    }
+}
+
+
+Foam::fractureFlows::localViscosityFlow::localViscosityFlow
+(
+    fvMesh& mesh,
+    const volScalarField& alpha,
+    const dictionary& coeffs
+)
+:
+    fractureFlow(mesh, alpha, coeffs, IOobject::NO_READ),
+    asPrinted_(false),
+    maxDivergence_(-1)
+{
+    colloid::checkWords(coeffs, wordList({"U", "gelPatch", "asPrinted"}));
+
+    velocity_ = Function1<vector>::New("U", coeffs);
+    coeffs.readIfPresent("asPrinted", asPrinted_);
+
+    if (!asPrinted_)
+    {
+        columns_.reset
+        (
+            new layeredColumns
+            (
+                mesh,
+                coeffs.get<word>("gelPatch"),
+                this->coeffs()
+            )
+        );
+    }
+}
+
+
+void Foam::fractureFlows::localViscosityFlow::solve()
+{
+    const dimensionedVector u0
+    (
+        "u0",
+        dimVelocity,
+        velocity_->value(mesh().time().value())
+    );
+
+    const volScalarField mobility("mobility", viscosity().nuWater()/nu());
+
+    U() == u0*mobility;
+    phi() = linearInterpolate(U()) & mesh().Sf();
+
+    if (!asPrinted_)
+    {
+        columns_->completeFlux(phi());
+        checkDivergence();
+        reconstructU();
+    }
+}
