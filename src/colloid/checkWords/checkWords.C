@@ -1,7 +1,6 @@
 /*---------------------------------------------------------------------------*\
     bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
     SPDX-License-Identifier: GPL-3.0-or-later
-
 \*---------------------------------------------------------------------------*/
 
 #include "checkWords.H"

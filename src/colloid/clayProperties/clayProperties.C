@@ -8,8 +8,7 @@
 #include "readInRange.H"
 
 #include "IOdictionary.H"
-#include "IStringStream.H"
-#include "OSspecific.H"
+#include "StringStream.H"
 #include "Time.H"
 
 #include <cmath>
@@ -41,17 +40,9 @@ struct defaultEntry
 {
     const char* section;
     const char* keyword;
-    std::string value;
+    token value;
     const char* unit;
 };
-
-
-std::string text(const scalar value)
-{
-    std::ostringstream os;
-    os << std::setprecision(10) << value;
-    return os.str();
-}
 
 
 std::vector<defaultEntry> defaultEntries()
@@ -61,27 +52,27 @@ std::vector<defaultEntry> defaultEntries()
 
     return
     {
-        {"platelet", "diameter", text(p.diameter), "m"},
-        {"platelet", "thickness", text(p.thickness), "m"},
-        {"platelet", "density", text(p.density), "kg/m3"},
-        {"platelet", "surfaceCharge", text(p.surfaceCharge), "C/m2"},
-        {"platelet", "Hamaker", text(p.Hamaker), "J"},
-        {"platelet", "contactGap", text(p.contactGap), "m"},
-        {"water", "valence", text(w.valence), ""},
-        {"water", "temperature", text(w.temperature), "K"},
-        {"water", "relativePermittivity", text(w.relativePermittivity), ""},
-        {"water", "viscosity", text(w.viscosity), "Pa s"},
-        {"water", "density", text(w.density), "kg/m3"},
-        {"friction", "model", "auto", ""},
-        {"friction", "Kozeny", "5", ""},
-        {"friction", "fraction", "local", ""},
-        {"viscosity", "model", "LiuCoVolume", ""},
-        {"viscosity", "coreThickness", "1", "Debye lengths"},
-        {"viscosity", "gelCoVolume", "1.6", ""},
-        {"viscosity", "gelStop", "on", ""},
-        {"viscosity", "gelViscosity", "1e6", "times that of water"},
-        {"flocculation", "active", "off", ""},
-        {"flocculation", "fraction", "0.005", ""}
+        {"platelet", "diameter", token(p.diameter), "m"},
+        {"platelet", "thickness", token(p.thickness), "m"},
+        {"platelet", "density", token(p.density), "kg/m3"},
+        {"platelet", "surfaceCharge", token(p.surfaceCharge), "C/m2"},
+        {"platelet", "Hamaker", token(p.Hamaker), "J"},
+        {"platelet", "contactGap", token(p.contactGap), "m"},
+        {"water", "valence", token(w.valence), ""},
+        {"water", "temperature", token(w.temperature), "K"},
+        {"water", "relativePermittivity", token(w.relativePermittivity), ""},
+        {"water", "viscosity", token(w.viscosity), "Pa s"},
+        {"water", "density", token(w.density), "kg/m3"},
+        {"friction", "model", token(word("auto")), ""},
+        {"friction", "Kozeny", token(scalar(5)), ""},
+        {"friction", "fraction", token(word("local")), ""},
+        {"viscosity", "model", token(word("LiuCoVolume")), ""},
+        {"viscosity", "coreThickness", token(scalar(1)), "Debye lengths"},
+        {"viscosity", "gelCoVolume", token(scalar(1.6)), ""},
+        {"viscosity", "gelStop", token(word("on")), ""},
+        {"viscosity", "gelViscosity", token(scalar(1e6)), "times that of water"},
+        {"flocculation", "active", token(word("off")), ""},
+        {"flocculation", "fraction", token(scalar(0.005)), ""}
     };
 }
 
@@ -91,13 +82,13 @@ struct setEntry
     const char* parameterSet;
     const char* section;
     const char* keyword;
-    const char* value;
+    scalar value;
 };
 
 const std::vector<setEntry> setEntries
 {
-    {"KTH", "friction", "Kozeny", "14.12"},
-    {"Kratos", "platelet", "Hamaker", "1e-18"}
+    {"KTH", "friction", "Kozeny", 14.12},
+    {"Kratos", "platelet", "Hamaker", 1e-18}
 };
 
 
@@ -180,7 +171,7 @@ void Foam::colloid::clayProperties::complete()
             continue;
         }
 
-        std::string value(d.value);
+        token value(d.value);
 
         for (const setEntry& s : setEntries)
         {
@@ -191,18 +182,20 @@ void Foam::colloid::clayProperties::complete()
              && word(d.keyword) == s.keyword
             )
             {
-                value = s.value;
+                value = token(s.value);
             }
         }
 
-        section.add
-        (
-            primitiveEntry(d.keyword, IStringStream(value)())
-        );
+        // As a token: a number passed as text would lose digits
+        section.add(new primitiveEntry(d.keyword, value));
+
+        OStringStream shown;
+        shown << value;
 
         std::ostringstream line;
         line<< std::left << std::setw(14) << d.section
-            << std::setw(22) << d.keyword << std::setw(14) << value << d.unit;
+            << std::setw(22) << d.keyword
+            << std::setw(14) << shown.str() << d.unit;
         defaults_.append(line.str());
     }
 }
@@ -396,9 +389,17 @@ Foam::colloid::clayProperties::newDoubleLayer
         // Their kappa is low by sqrt(2), and their c is in mol/m3
         const scalar c = solution.concentration;
 
-        completed.add("P0", 1.5e5*c, false);
-        completed.add("kappa", 7.34e7*std::sqrt(c), false);
-        completed.add("distance", word("centres"), false);
+        const auto addDefault = [&](const word& keyword, const token& value)
+        {
+            if (!completed.found(keyword, keyType::LITERAL))
+            {
+                completed.add(new primitiveEntry(keyword, value));
+            }
+        };
+
+        addDefault("P0", token(1.5e5*c));
+        addDefault("kappa", token(7.34e7*std::sqrt(c)));
+        addDefault("distance", token(word("centres")));
     }
 
     return doubleLayer::New(completed, clay_, solution);

@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "platelet.H"
-#include "physicalConstants.H"
 
 #include <cmath>
 
