@@ -1,0 +1,126 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+\*---------------------------------------------------------------------------*/
+
+#include "engine.H"
+
+#include "engineImplementation.H"
+
+namespace plateletDynamics
+{
+
+engine::engine
+(
+    const box& space,
+    const boundarySurface& limits,
+    std::shared_ptr<const gapForce> force,
+    const engineSettings& settings,
+    MPI_Comm communicator
+)
+:
+    implementation_
+    (
+        std::make_unique<implementation>
+        (
+            space, limits, std::move(force), settings, communicator
+        )
+    )
+{}
+
+
+engine::~engine() = default;
+
+
+void engine::load(platelets newPlatelets)
+{
+    implementation_->load(std::move(newPlatelets));
+}
+
+
+platelets& engine::local()
+{
+    return implementation_->local();
+}
+
+
+const platelets& engine::local() const
+{
+    return implementation_->local();
+}
+
+
+void engine::advance(double duration)
+{
+    implementation_->advance(duration);
+}
+
+
+void engine::clearCrossings()
+{
+    auto& crossings = implementation_->local().crossings;
+    crossings.assign(crossings.size(), {0, 0, 0});
+}
+
+
+const std::vector<departure>& engine::departures() const
+{
+    return implementation_->departures();
+}
+
+
+void engine::listsExpire()
+{
+    implementation_->listsExpire();
+}
+
+
+void engine::changeForce(std::shared_ptr<const gapForce> force, double cutOff)
+{
+    implementation_->changeForce(std::move(force), cutOff);
+}
+
+
+void engine::evaluate()
+{
+    implementation_->evaluateAll();
+}
+
+
+double engine::stiffness()
+{
+    return implementation_->stiffness();
+}
+
+
+double engine::stabilityLimit()
+{
+    return implementation_->stabilityLimit();
+}
+
+
+double engine::stableDeltaT()
+{
+    return implementation_->stableDeltaT();
+}
+
+
+double engine::virial()
+{
+    return implementation_->virial();
+}
+
+
+const engineCounters& engine::counters() const
+{
+    return implementation_->counters();
+}
+
+
+double engine::skin() const
+{
+    return implementation_->skin();
+}
+
+} // End namespace plateletDynamics

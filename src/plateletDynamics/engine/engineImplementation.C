@@ -1,0 +1,297 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+\*---------------------------------------------------------------------------*/
+
+#include "engineImplementation.H"
+
+#include "stiffness.H"
+#include "stopwatch.H"
+
+#include <cmath>
+#include <limits>
+
+namespace plateletDynamics
+{
+
+namespace
+{
+
+void check(const engineSettings& settings)
+{
+    const auto refuse = [](const char* name, double value, const char* valid)
+    {
+        throw userError(text(name, " is ", value, " but must be ", valid));
+    };
+
+    if (!(settings.thickness >= 0))
+    {
+        refuse("thickness", settings.thickness, "0 or more");
+    }
+    if (!(settings.cutOff > settings.thickness))
+    {
+        refuse("cutOff", settings.cutOff, "greater than the thickness");
+    }
+    if (!(settings.skin >= 0))
+    {
+        refuse("skin", settings.skin, "positive, or 0 to have it chosen");
+    }
+    if (!(settings.deltaT >= 0))
+    {
+        refuse("deltaT", settings.deltaT, "positive, or 0 to have it chosen");
+    }
+    if (!(settings.tableTolerance > 0))
+    {
+        refuse("tableTolerance", settings.tableTolerance, "positive");
+    }
+    if (!settings.bodyForce.allFinite())
+    {
+        throw userError("bodyForce must be finite");
+    }
+}
+
+} // End namespace
+
+
+engine::implementation::implementation
+(
+    const box& space,
+    const boundarySurface& limits,
+    std::shared_ptr<const gapForce> force,
+    const engineSettings& settings,
+    MPI_Comm communicator
+)
+:
+    space_(space),
+    limits_(limits),
+    settings_(settings),
+    ranks_(communicator),
+    integrator_(integrator::New(settings.integrator)),
+    near_(ranks_, space_)
+{
+    changeForce(std::move(force), settings.cutOff);
+}
+
+
+void engine::implementation::changeForce
+(
+    std::shared_ptr<const gapForce> force,
+    double cutOff
+)
+{
+    settings_.cutOff = cutOff;
+    plateletDynamics::check(settings_);
+
+    force_ = std::make_unique<taperedForce>
+    (
+        std::move(force), settings_.thickness, cutOff
+    );
+    kernel_ = pairKernel::New(*force_, settings_);
+    near_.setRange(cutOff, settings_.skin);
+    listsExpire();
+}
+
+
+void engine::implementation::check(const platelets& loaded) const
+{
+    const std::size_t n = loaded.size();
+
+    for
+    (
+        const std::size_t size :
+        {
+            loaded.tag.size(), loaded.position.size(),
+            loaded.waterVelocity.size(), loaded.friction.size(),
+            loaded.fixed.size(), loaded.previousVelocity.size(),
+            loaded.previousStep.size(), loaded.crossings.size()
+        }
+    )
+    {
+        if (size != n)
+        {
+            throw userError("The arrays of the platelets differ in length");
+        }
+    }
+
+    for (std::size_t k = 0; k < n; ++k)
+    {
+        bool outside = !loaded.position[k].allFinite();
+        for (int axis = 0; axis < 3 && !outside; ++axis)
+        {
+            outside =
+                space_.periodic[axis]
+             && std::abs(loaded.position[k][axis] - space_.lower[axis])
+              > 1e6*space_.period(axis);
+        }
+        if (outside)
+        {
+            throw userError
+            (
+                text
+                (
+                    "Platelet ", loaded.id[k], " is at (",
+                    loaded.position[k].transpose(), "), far from the box"
+                )
+            );
+        }
+        if (!(loaded.friction[k] > 0) || !std::isfinite(loaded.friction[k]))
+        {
+            throw userError
+            (
+                text
+                (
+                    "Platelet ", loaded.id[k], " has a friction of ",
+                    loaded.friction[k], " but it must be positive"
+                )
+            );
+        }
+    }
+
+    std::vector<std::int64_t> ids(loaded.id);
+    std::sort(ids.begin(), ids.end());
+    const auto twin = std::adjacent_find(ids.begin(), ids.end());
+
+    if (twin != ids.end())
+    {
+        throw userError(text("Two platelets have the id ", *twin));
+    }
+}
+
+
+void engine::implementation::load(platelets&& loaded)
+{
+    std::string problem;
+    try
+    {
+        check(loaded);
+    }
+    catch (const userError& error)
+    {
+        problem = error.what();
+    }
+    ranks_.agree(problem);
+
+    local_ = std::move(loaded);
+    local_.force.assign(local_.size(), vector::Zero());
+    local_.velocity.assign(local_.size(), vector::Zero());
+    local_.crossings.assign(local_.size(), {0, 0, 0});
+    problem_.clear();
+    departures_.clear();
+
+    near_.wrap(local_);
+    listsExpire();
+}
+
+
+void engine::implementation::listsExpire()
+{
+    near_.expire();
+    forcesHold_ = false;
+    stiffnessHolds_ = false;
+}
+
+
+bool engine::implementation::evaluateForces(bool maySort)
+{
+    if (forcesHold_)
+    {
+        return false;
+    }
+
+    const bool listed = near_.update(local_, maySort, problem_);
+    counters_.rebuilds += listed;
+
+    const stopwatch watch(counters_.forceSeconds);
+    pairKernel::events met;
+
+    local_.force.assign(local_.size(), vector::Zero());
+    kernel_->addForces(near_.points(), near_.pairs(), local_.force, met);
+
+    if (met.coincidence && problem_.empty())
+    {
+        problem_ = text
+        (
+            "Platelets ", met.coincident[0], " and ", met.coincident[1],
+            " are at the same place: their force has no direction"
+        );
+    }
+
+    counters_.contacts += met.contacts;
+    ++counters_.evaluations;
+    forcesHold_ = true;
+    stiffnessHolds_ = false;
+
+    return listed;
+}
+
+
+void engine::implementation::calculateVelocities()
+{
+    for (std::size_t k = 0; k < local_.size(); ++k)
+    {
+        if (local_.fixed[k])
+        {
+            local_.velocity[k].setZero();
+        }
+        else
+        {
+            local_.velocity[k] =
+                local_.waterVelocity[k]
+              + (local_.force[k] + settings_.bodyForce)/local_.friction[k];
+        }
+    }
+}
+
+
+void engine::implementation::evaluate()
+{
+    evaluateForces(false);
+    calculateVelocities();
+}
+
+
+void engine::implementation::evaluateAll()
+{
+    evaluateForces(true);
+    calculateVelocities();
+    ranks_.agree(problem_);
+}
+
+
+double engine::implementation::stiffness()
+{
+    evaluateAll();
+
+    if (!stiffnessHolds_)
+    {
+        std::vector<Eigen::Matrix3d> springs
+        (
+            local_.size(), Eigen::Matrix3d::Zero()
+        );
+        kernel_->addStiffness(near_.points(), near_.pairs(), springs);
+        stiffness_ = ranks_.max(decayRateBound(local_, springs));
+        stiffnessHolds_ = true;
+    }
+    return stiffness_;
+}
+
+
+double engine::implementation::virial()
+{
+    evaluateAll();
+
+    return ranks_.sum(kernel_->virial(near_.points(), near_.pairs()));
+}
+
+
+const engineCounters& engine::implementation::counters()
+{
+    counters_.listedPairs = near_.pairs().size();
+    counters_.listSeconds = near_.listSeconds();
+    counters_.haloSeconds = near_.haloSeconds();
+
+    return counters_;
+}
+
+} // End namespace plateletDynamics

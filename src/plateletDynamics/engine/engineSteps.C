@@ -1,0 +1,169 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+\*---------------------------------------------------------------------------*/
+
+#include "engineImplementation.H"
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace plateletDynamics
+{
+
+namespace
+{
+
+//- Share of the integrator's limit, and of the cut-off, that a chosen step uses
+constexpr double safety = 0.5;
+constexpr double largestMove = 0.25;
+
+//- Steps of one call beyond which it would never end
+constexpr double tooManySteps = 1e12;
+
+} // End namespace
+
+
+double engine::implementation::stabilityLimit()
+{
+    const double rate = stiffness()/integrator_->realAxisLimit();
+
+    return rate > 0 ? 1/rate : std::numeric_limits<double>::max();
+}
+
+
+double engine::implementation::stableDeltaT()
+{
+    double fastest = 0;
+
+    const double byStiffness =
+        safety*stabilityLimit();
+
+    for (const vector& velocity : local_.velocity)
+    {
+        fastest = std::max(fastest, velocity.cwiseAbs().maxCoeff());
+    }
+    fastest = ranks_.max(fastest);
+
+    return
+        fastest*byStiffness > largestMove*settings_.cutOff
+      ? largestMove*settings_.cutOff/fastest
+      : byStiffness;
+}
+
+
+std::int64_t engine::implementation::stepsFor(double duration)
+{
+    const double step =
+        settings_.deltaT > 0 ? settings_.deltaT : stableDeltaT();
+
+    if (duration > tooManySteps*step)
+    {
+        throw userError
+        (
+            text
+            (
+                "A duration of ", duration, " in steps of ", step,
+                " would take more than ", tooManySteps, " steps"
+            )
+        );
+    }
+
+    // A duration that is a multiple of the step but for rounding
+    return std::max(1.0, std::ceil(duration/step*(1 - 1e-10)));
+}
+
+
+void engine::implementation::displace(const std::vector<vector>& displacement)
+{
+    for (std::size_t k = 0; k < local_.size(); ++k)
+    {
+        if (local_.fixed[k])
+        {
+            continue;
+        }
+
+        const vector& d = displacement[k];
+
+        if (!d.allFinite() || d.cwiseAbs().maxCoeff() > settings_.cutOff)
+        {
+            if (problem_.empty())
+            {
+                problem_ = text
+                (
+                    "Platelet ", local_.id[k], " at (",
+                    local_.position[k].transpose(), ") would move by (",
+                    d.transpose(), ") in one step, more than the cut-off of ",
+                    settings_.cutOff, ". Take a smaller engine step"
+                );
+            }
+            continue;
+        }
+        local_.position[k] += d;
+    }
+
+    forcesHold_ = false;
+    stiffnessHolds_ = false;
+}
+
+
+void engine::implementation::dropAbsorbed()
+{
+    std::vector<int> kept;
+    for (std::size_t k = 0; k < local_.size(); ++k)
+    {
+        if (local_.fixed[k] != platelets::absorbed)
+        {
+            kept.push_back(int(k));
+        }
+    }
+
+    if (kept.size() < local_.size())
+    {
+        local_.reorder(kept);
+        near_.expire();
+    }
+}
+
+
+void engine::implementation::advance(double duration)
+{
+    if (!(duration >= 0) || !std::isfinite(duration))
+    {
+        throw userError(text("Cannot advance by a time of ", duration));
+    }
+
+    departures_.clear();
+
+    double remaining = duration;
+    std::int64_t steps = 0;
+    double deltaT = 0;
+
+    while (remaining > 0)
+    {
+        const bool listed = evaluateForces(true);
+        calculateVelocities();
+
+        if (listed || steps == 0)
+        {
+            steps = stepsFor(remaining);
+            deltaT = remaining/steps;
+        }
+
+        counters_.particleSteps += local_.size();
+        ++counters_.steps;
+
+        // The last step ends on the duration, free of accumulated rounding
+        integrator_->step(*this, steps > 1 ? deltaT : remaining);
+        remaining = steps > 1 ? remaining - deltaT : 0;
+        --steps;
+    }
+
+    ranks_.agree(problem_);
+    near_.wrap(local_);
+    dropAbsorbed();
+}
+
+} // End namespace plateletDynamics

@@ -1,0 +1,308 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+\*---------------------------------------------------------------------------*/
+
+#include "halo.H"
+
+#include "stopwatch.H"
+
+#include <algorithm>
+#include <limits>
+
+namespace plateletDynamics
+{
+
+namespace
+{
+
+struct extent
+{
+    vector lower = vector::Constant(std::numeric_limits<double>::max());
+    vector upper = -lower;
+
+    bool empty() const
+    {
+        return lower[0] > upper[0];
+    }
+
+    //- Whether x is within the range of the extent
+    bool near(const vector& x, double range) const
+    {
+        double distanceSquared = 0;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            const double outside =
+                std::max({lower[axis] - x[axis], x[axis] - upper[axis], 0.0});
+
+            distanceSquared += outside*outside;
+        }
+        return distanceSquared < range*range;
+    }
+};
+
+
+//- The extents of the own points of all ranks
+std::vector<extent> extents(const rankGroup& ranks, const kernelPoints& points)
+{
+    extent own;
+    for (std::size_t k = 0; k < points.owned; ++k)
+    {
+        own.lower = own.lower.cwiseMin(points.position[k]);
+        own.upper = own.upper.cwiseMax(points.position[k]);
+    }
+
+    std::vector<double> numbers(own.lower.data(), own.lower.data() + 3);
+    numbers.insert(numbers.end(), own.upper.data(), own.upper.data() + 3);
+    numbers = ranks.gather(numbers);
+
+    std::vector<extent> all(ranks.size());
+    for (int rank = 0; rank < ranks.size(); ++rank)
+    {
+        all[rank].lower = Eigen::Map<const vector>(&numbers[6*rank]);
+        all[rank].upper = Eigen::Map<const vector>(&numbers[6*rank + 3]);
+    }
+    return all;
+}
+
+
+//- Displacements by -1, 0, 1 periods along each periodic axis
+std::vector<vector> shifts(const box& space)
+{
+    std::vector<vector> all{vector::Zero()};
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        if (space.periodic[axis])
+        {
+            const std::vector<vector> before(std::move(all));
+            all.clear();
+            for (const double times : {-1, 0, 1})
+            {
+                for (vector shift : before)
+                {
+                    shift[axis] = times*space.period(axis);
+                    all.push_back(shift);
+                }
+            }
+        }
+    }
+    return all;
+}
+
+} // End namespace
+
+
+halo::halo(const rankGroup& ranks, const box& space)
+:
+    ranks_(ranks),
+    space_(space)
+{}
+
+
+void halo::chooseGhosts(const kernelPoints& points, double range)
+{
+    const std::vector<extent> all(extents(ranks_, points));
+    const extent& own = all[ranks_.rank()];
+
+    partners_.clear();
+    for (int rank = 0; rank < ranks_.size(); ++rank)
+    {
+        partner other;
+        other.rank = rank;
+
+        for (const vector& shift : shifts(space_))
+        {
+            const bool itself = rank == ranks_.rank() && shift.isZero(0);
+
+            if (itself || own.empty() || all[rank].empty())
+            {
+                continue;
+            }
+
+            // Far apart as a whole?
+            const vector nearest =
+                (own.lower + shift).cwiseMax
+                (
+                    all[rank].lower.cwiseMin(own.upper + shift)
+                );
+            if (!all[rank].near(nearest, range))
+            {
+                continue;
+            }
+
+            for (std::size_t k = 0; k < points.owned; ++k)
+            {
+                if (all[rank].near(points.position[k] + shift, range))
+                {
+                    other.index.push_back(int(k));
+                    other.shift.push_back(shift);
+                }
+            }
+        }
+
+        partners_.push_back(std::move(other));
+    }
+}
+
+
+void halo::exchangeCounts()
+{
+    std::vector<int> sent;
+    for (const partner& other : partners_)
+    {
+        sent.push_back(int(other.index.size()));
+    }
+
+    std::vector<int> received(sent);
+    if (ranks_.size() > 1)
+    {
+        MPI_Alltoall
+        (
+            sent.data(), 1, MPI_INT,
+            received.data(), 1, MPI_INT,
+            ranks_.communicator()
+        );
+    }
+
+    for (std::size_t rank = 0; rank < partners_.size(); ++rank)
+    {
+        partners_[rank].nGhosts = received[rank];
+    }
+}
+
+
+void halo::wait(std::vector<MPI_Request>& requests)
+{
+    if (requests.size())
+    {
+        const stopwatch watch(seconds_);
+        MPI_Waitall(int(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+    }
+}
+
+
+void halo::exchangeNames(kernelPoints& points)
+{
+    // The id, and whether fixed in its sign bit: ~id for a fixed platelet
+    const auto name = [&](int k)
+    {
+        return points.fixed[k] ? ~points.id[k] : points.id[k];
+    };
+
+    std::vector<std::vector<std::int64_t>> sent(partners_.size());
+    std::vector<std::int64_t> received(points.size() - points.owned);
+    std::vector<MPI_Request> requests;
+
+    for (std::size_t i = 0; i < partners_.size(); ++i)
+    {
+        const partner& other = partners_[i];
+
+        for (const int k : other.index)
+        {
+            sent[i].push_back(name(k));
+        }
+
+        std::int64_t* const place =
+            received.data() + (other.firstGhost - points.owned);
+
+        if (other.rank == ranks_.rank())
+        {
+            std::copy(sent[i].begin(), sent[i].end(), place);
+            continue;
+        }
+        if (other.nGhosts)
+        {
+            MPI_Irecv
+            (
+                place, int(other.nGhosts), MPI_INT64_T, other.rank, 0,
+                ranks_.communicator(), &requests.emplace_back()
+            );
+        }
+        if (sent[i].size())
+        {
+            MPI_Isend
+            (
+                sent[i].data(), int(sent[i].size()), MPI_INT64_T, other.rank, 0,
+                ranks_.communicator(), &requests.emplace_back()
+            );
+        }
+    }
+
+    wait(requests);
+
+    for (std::size_t ghost = 0; ghost < received.size(); ++ghost)
+    {
+        const bool fixed = received[ghost] < 0;
+        points.fixed[points.owned + ghost] = fixed;
+        points.id[points.owned + ghost] =
+            fixed ? ~received[ghost] : received[ghost];
+    }
+}
+
+
+void halo::rebuild(kernelPoints& points, double range)
+{
+    chooseGhosts(points, range);
+
+    exchangeCounts();
+
+    std::size_t total = points.owned;
+    for (partner& other : partners_)
+    {
+        other.firstGhost = total;
+        total += other.nGhosts;
+    }
+    points.resize(total);
+
+    exchangeNames(points);
+    refresh(points);
+}
+
+
+void halo::refresh(kernelPoints& points)
+{
+    static_assert
+    (
+        sizeof(vector) == 3*sizeof(double),
+        "positions are sent as rows of doubles"
+    );
+
+    std::vector<MPI_Request> requests;
+
+    for (partner& other : partners_)
+    {
+        vector* const ghosts = points.position.data() + other.firstGhost;
+        const bool itself = other.rank == ranks_.rank();
+
+        if (!itself && other.nGhosts)
+        {
+            MPI_Irecv
+            (
+                ghosts, int(3*other.nGhosts), MPI_DOUBLE, other.rank, 1,
+                ranks_.communicator(), &requests.emplace_back()
+            );
+        }
+
+        other.buffer.resize(itself ? 0 : other.index.size());
+        vector* const target = itself ? ghosts : other.buffer.data();
+
+        for (std::size_t i = 0; i < other.index.size(); ++i)
+        {
+            target[i] = points.position[other.index[i]] + other.shift[i];
+        }
+
+        if (!itself && other.index.size())
+        {
+            MPI_Isend
+            (
+                other.buffer.data(), int(3*other.index.size()), MPI_DOUBLE,
+                other.rank, 1, ranks_.communicator(), &requests.emplace_back()
+            );
+        }
+    }
+
+    wait(requests);
+}
+
+} // End namespace plateletDynamics

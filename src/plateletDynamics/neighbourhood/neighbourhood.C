@@ -1,0 +1,228 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+\*---------------------------------------------------------------------------*/
+
+#include "neighbourhood.H"
+
+#include "cellKeys.H"
+#include "stopwatch.H"
+#include "userError.H"
+
+#include <limits>
+#include <tuple>
+
+namespace plateletDynamics
+{
+
+namespace
+{
+
+//- Skin over cut-off where the user leaves it to us
+constexpr double defaultSkin = 0.12;
+
+} // End namespace
+
+
+neighbourhood::neighbourhood(const rankGroup& ranks, const box& space)
+:
+    ranks_(ranks),
+    space_(space),
+    halo_(ranks, space)
+{}
+
+
+void neighbourhood::setRange(double cutOff, double skin)
+{
+    cutOff_ = cutOff;
+    skin_ = skin > 0 ? skin : defaultSkin*cutOff;
+
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        if (!space_.periodic[axis])
+        {
+            continue;
+        }
+        const double period = space_.period(axis);
+
+        if (!(period >= 2*cutOff))
+        {
+            throw userError
+            (
+                text
+                (
+                    "The periodic box is ", period, " wide along ",
+                    "xyz"[axis], ", less than two cut-offs of ", cutOff,
+                    ". Take a box of at least ", 2*cutOff,
+                    " or a cut-off of at most ", period/2
+                )
+            );
+        }
+
+        // Images one period away are all that there are
+        skin_ = std::min(skin_, period - cutOff);
+    }
+
+    expire();
+}
+
+
+void neighbourhood::sort(platelets& local) const
+{
+    vector lowest(vector::Constant(std::numeric_limits<double>::max()));
+    for (const vector& x : local.position)
+    {
+        lowest = lowest.cwiseMin(x);
+    }
+
+    const cellKeys grid(lowest, (cutOff_ + skin_)/cellKeys::reach);
+    std::vector<std::tuple<std::int64_t, std::int64_t, int>> keys;
+
+    for (std::size_t k = 0; k < local.size(); ++k)
+    {
+        if (local.fixed[k] != platelets::absorbed)
+        {
+            keys.emplace_back(grid.key(local.position[k]), local.id[k], int(k));
+        }
+    }
+    std::sort(keys.begin(), keys.end());
+
+    std::vector<int> order;
+    for (const auto& key : keys)
+    {
+        order.push_back(std::get<2>(key));
+    }
+    local.reorder(order);
+}
+
+
+void neighbourhood::wrap(platelets& local)
+{
+    wraps_.resize(local.size(), {0, 0, 0});
+
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        if (!space_.periodic[axis])
+        {
+            continue;
+        }
+        const double period = space_.period(axis);
+
+        for (std::size_t k = 0; k < local.size(); ++k)
+        {
+            double& x = local.position[k][axis];
+
+            if
+            (
+                (x >= space_.lower[axis] && x < space_.upper[axis])
+             || local.fixed[k] == platelets::absorbed
+            )
+            {
+                continue;
+            }
+
+            double periods = std::floor((x - space_.lower[axis])/period);
+            x -= periods*period;
+
+            // Just below the lower end rounding leads to the upper
+            if (x >= space_.upper[axis])
+            {
+                x = space_.lower[axis];
+                periods += 1;
+            }
+            local.crossings[k][axis] += int(periods);
+            wraps_[k][axis] += int(periods);
+        }
+    }
+}
+
+
+void neighbourhood::place(const platelets& local)
+{
+    for (std::size_t k = 0; k < local.size(); ++k)
+    {
+        points_.position[k] = local.position[k];
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            if (wraps_[k][axis])
+            {
+                points_.position[k][axis] +=
+                    wraps_[k][axis]*space_.period(axis);
+            }
+        }
+    }
+}
+
+
+void neighbourhood::rebuild(platelets& local, bool maySort)
+{
+    const stopwatch watch(listSeconds_);
+
+    wrap(local);
+    if (maySort)
+    {
+        sort(local);
+    }
+    wraps_.assign(local.size(), {0, 0, 0});
+
+    points_.owned = local.size();
+    points_.resize(local.size());
+    points_.id = local.id;
+    points_.fixed = local.fixed;
+    place(local);
+    listed_ = points_.position;
+
+    halo_.rebuild(points_, cutOff_ + skin_);
+    pairs_.build(points_, cutOff_ + skin_);
+    expired_ = false;
+}
+
+
+bool neighbourhood::update
+(
+    platelets& local,
+    bool maySort,
+    const std::string& problem
+)
+{
+    double movedSquared = 0;
+    if (!expired_)
+    {
+        place(local);
+        for (std::size_t k = 0; k < local.size(); ++k)
+        {
+            if (local.fixed[k] != platelets::absorbed)
+            {
+                movedSquared = std::max
+                (
+                    movedSquared,
+                    (points_.position[k] - listed_[k]).squaredNorm()
+                );
+            }
+        }
+    }
+
+    // The same on all ranks: any problem, whether to list anew
+    double decision[2] =
+    {
+        double(!problem.empty()),
+        double(expired_ || 4*movedSquared > skin_*skin_)
+    };
+    ranks_.max(decision, 2);
+
+    if (decision[0] > 0)
+    {
+        ranks_.agree(problem);
+    }
+    if (decision[1] > 0)
+    {
+        rebuild(local, maySort);
+        return true;
+    }
+
+    halo_.refresh(points_);
+    return false;
+}
+
+} // End namespace plateletDynamics
