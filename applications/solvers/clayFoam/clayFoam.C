@@ -1,0 +1,76 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Application
+    clayFoam
+
+Group
+    grpLagrangianSolvers
+
+Description
+    Coupled CFD-DEM of clay platelets in a water-filled fracture: the water
+    carries the platelets, their solid fraction decides its viscosity.
+
+    Reads constant/{clayProperties,clayCloudProperties,fractureFlowProperties}
+    and the cloud that setClay placed. In controlDict, with adjustTimeStep:
+    maxCo (Courant number of the water) and maxDisplacement (of a platelet,
+    in filter lengths per step).
+\*---------------------------------------------------------------------------*/
+
+#include "clayCloud.H"
+#include "clayProperties.H"
+#include "costReport.H"
+#include "fractureFlow.H"
+#include "fvCFD.H"
+#include "progress.H"
+#include "restartableTime.H"
+
+int main(int argc, char *argv[])
+{
+    argList::addNote
+    (
+        "Clay platelets in a water-filled fracture: coupled CFD-DEM"
+    );
+
+    #include "setRootCase.H"
+    #include "createRestartableTime.H"
+    #include "createMesh.H"
+
+    const colloid::clayProperties matter(runTime);
+    clayCloud clay(mesh, matter);
+    autoPtr<fractureFlow> flow(fractureFlow::New(mesh, clay.alpha()));
+    const fractureFlow& water = *flow;
+
+    progress log(runTime);
+    costReport cost;
+
+    while (runTime.run())
+    {
+        #include "setDeltaT.H"
+
+        ++runTime;
+        {
+            const auto timing = cost.start("flow");
+            flow->solve();
+        }
+        {
+            const auto timing = cost.start("platelets");
+            clay.move(water.U(), runTime.deltaTValue());
+        }
+        {
+            const auto timing = cost.start("filter");
+            clay.filter(runTime.deltaTValue());
+        }
+        {
+            const auto timing = cost.start("write");
+            runTime.writeIfDue();
+        }
+
+        log.report(clay.number());
+    }
+
+    clay.report(Info, cost);
+
+    return 0;
+}

@@ -1,0 +1,143 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Application
+    setClay
+
+Description
+    Places clay platelets in the mesh as system/setClayDict says: each of its
+    sub-dictionaries is a group with an arrangement in a region.
+
+    Writes the cloud `clay`, its state (coarse graining, spacing, number) and
+    the cell field clayWeights that decomposePar can balance with. An earlier
+    cloud of the same time is replaced.
+\*---------------------------------------------------------------------------*/
+
+#include "arrangement.H"
+#include "checkWords.H"
+#include "clayPlatelet.H"
+#include "clayProperties.H"
+#include "clayState.H"
+#include "Cloud.H"
+#include "cloudProperties.H"
+#include "fvCFD.H"
+#include "OSspecific.H"
+
+int main(int argc, char *argv[])
+{
+    argList::addNote("Place clay platelets as system/setClayDict says");
+    argList::noParallel();
+
+    #include "setRootCase.H"
+    #include "createTime.H"
+    #include "createMesh.H"
+
+    const colloid::clayProperties matter(runTime);
+    const cloudProperties properties(runTime);
+    const periodicAxes axes(mesh);
+
+    const scalar coarseGraining = properties.coarseGraining();
+    if (coarseGraining < 0)
+    {
+        FatalIOErrorInFunction(properties.dict())
+            << "coarseGraining auto is not available in this version: give a"
+            << " number >= 1" << exit(FatalIOError);
+    }
+    const arrangement::scene scene
+    {
+        mesh, axes, pow3(coarseGraining)*matter.clay().volume()
+    };
+
+    const IOdictionary setClayDict
+    (
+        IOobject
+        (
+            "setClayDict",
+            runTime.system(),
+            runTime,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE
+        )
+    );
+    Random random(setClayDict.getOrDefault<label>("seed", 1));
+
+    Cloud<clayPlatelet> cloud(mesh, "clay", IDLList<clayPlatelet>());
+    scalar smallestSpacing = GREAT;
+
+    Info<< "\nParcels of " << pow3(coarseGraining) << " platelets, "
+        << scene.parcelVolume << " m3 of clay each" << nl;
+
+    for (const entry& group : setClayDict)
+    {
+        if (!group.isDict())
+        {
+            colloid::checkChoice
+            (
+                setClayDict, group.keyword(), group.keyword(), wordList({"seed"})
+            );
+            continue;
+        }
+
+        autoPtr<arrangement> way(arrangement::New(group.dict(), scene));
+        const pointField places(way->place(random));
+        const bool fixed = group.dict().getOrDefault("fixed", false);
+
+        for (const point& x : places)
+        {
+            clayPlatelet::properties what;
+            what.x = x;
+            what.id = cloud.size();
+            what.fixed = fixed;
+            cloud.addParticle(new clayPlatelet(mesh, what, mesh.findCell(x)));
+        }
+
+        Info<< "    " << group.keyword() << ": " << places.size()
+            << (fixed ? " fixed" : "") << " platelets or parcels, spacing "
+            << way->spacing() << " m, solid fraction "
+            << scene.parcelVolume/pow3(way->spacing()) << nl;
+
+        if (places.size())
+        {
+            smallestSpacing = min(smallestSpacing, way->spacing());
+        }
+    }
+
+    if (cloud.size() == 0)
+    {
+        WarningInFunction << "No platelets were placed" << nl << endl;
+        smallestSpacing = Foam::cbrt(sum(mesh.V()).value());
+    }
+
+    // An empty cloud writes no files: those of an earlier one would stay
+    const fileName cloudPath(runTime.timePath()/cloud::prefix/cloud.name());
+    if (isDir(cloudPath))
+    {
+        rmDir(cloudPath);
+    }
+
+    const clayState state(mesh, coarseGraining, smallestSpacing, cloud.size());
+
+    // A platelet costs about as much as twenty cells of the flow
+    volScalarField clayWeights
+    (
+        IOobject("clayWeights", runTime.timeName(), mesh),
+        mesh,
+        dimensionedScalar("1", dimless, 1)
+    );
+    for (const clayPlatelet& platelet : cloud)
+    {
+        clayWeights[platelet.cell()] += 20;
+    }
+
+    if (!cloud.write() || !state.regIOobject::write() || !clayWeights.write())
+    {
+        FatalErrorInFunction
+            << "Cannot write to " << runTime.timePath() << exit(FatalError);
+    }
+
+    Info<< "\nWrote " << cloud.size() << " to "
+        << runTime.timeName()/cloud::prefix/cloud.name() << nl << "\nEnd\n" << endl;
+
+    return 0;
+}

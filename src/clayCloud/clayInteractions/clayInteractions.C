@@ -1,0 +1,392 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "clayInteractions.H"
+#include "checkWords.H"
+#include "doubleLayer.H"
+#include "mathematicalConstants.H"
+#include "pairInteraction.H"
+#include "vanDerWaals.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- A force law of colloid in the engine's units
+class reducedForce
+:
+    public plateletDynamics::gapForce
+{
+    const colloid::pairInteraction law_;
+    const scalar length_;
+    const scalar force_;
+
+public:
+
+    reducedForce
+    (
+        const colloid::pairInteraction& law,
+        const reducedUnits& units
+    )
+    :
+        law_(law),
+        length_(units.length()),
+        force_(units.force())
+    {}
+
+    virtual double force(double gap) const
+    {
+        return law_.force(gap*length_)/force_;
+    }
+
+    virtual double slope(double gap) const
+    {
+        return law_.slope(gap*length_)*length_/force_;
+    }
+
+    virtual double contactGap() const
+    {
+        return law_.contactGap()/length_;
+    }
+};
+
+} // End anonymous namespace
+
+
+Foam::clayInteractions::clayInteractions
+(
+    const colloid::clayProperties& matter,
+    const cloudProperties& properties,
+    const clayState& state,
+    const periodicAxes& axes,
+    const label number,
+    const scalar time,
+    const vector& g
+)
+:
+    matter_(matter),
+    properties_(properties),
+    state_(state),
+    weight_(Zero)
+{
+    decideEffects(time, g);
+    decideFriction(time);
+    chooseUnits(time);
+    chooseCutOff(time, axes, number);
+    chooseEngine();
+}
+
+
+Foam::scalar Foam::clayInteractions::thickness() const
+{
+    return state_.coarseGraining*matter_.clay().thickness;
+}
+
+
+Foam::scalar Foam::clayInteractions::parcelVolume() const
+{
+    return pow3(state_.coarseGraining)*matter_.clay().volume();
+}
+
+
+Foam::scalar Foam::clayInteractions::placedFraction() const
+{
+    return min(parcelVolume()/pow3(state_.spacing), scalar(0.99));
+}
+
+
+Foam::colloid::pairInteraction Foam::clayInteractions::pairLaw
+(
+    const scalar time
+) const
+{
+    const colloid::water water(matter_.waterAt(time));
+    const autoPtr<colloid::doubleLayer> repulsion
+    (
+        matter_.newDoubleLayer(properties_.doubleLayerDict(), water)
+    );
+    const colloid::vanDerWaals attraction(matter_.clay());
+
+    return colloid::pairInteraction
+    (
+        matter_.clay(),
+        water,
+        doubleLayerOn_ ? repulsion.get() : nullptr,
+        vanDerWaalsOn_ ? &attraction : nullptr,
+        state_.coarseGraining
+    );
+}
+
+
+void Foam::clayInteractions::decideEffects(const scalar time, const vector& g)
+{
+    const colloid::platelet& clay = matter_.clay();
+    const colloid::water water(matter_.waterAt(time));
+    const scalar alpha = state_.coarseGraining;
+    const scalar tolerance = properties_.tolerance();
+
+    doubleLayerOn_ = effects_.decide
+    (
+        "doubleLayer", properties_.effect("doubleLayer"), "(always)", 1,
+        tolerance
+    );
+    dragOn_ = effects_.decide
+    (
+        "drag", properties_.effect("drag"), "(always)", 1, tolerance
+    );
+
+    // Half the spacing as placed is nearer than platelets come in still water
+    const autoPtr<colloid::doubleLayer> repulsion
+    (
+        matter_.newDoubleLayer(properties_.doubleLayerDict(), water)
+    );
+    const colloid::vanDerWaals attraction(clay);
+
+    scalar attractionMeasure = 0;
+    for (const scalar spacings : {0.5, 1.0, 1.5})
+    {
+        const scalar gap = max
+        (
+            spacings*state_.spacing/alpha - clay.thickness, clay.contactGap
+        );
+        attractionMeasure = max
+        (
+            attractionMeasure,
+            attraction.force(gap)/max(repulsion->force(gap), VSMALL)
+        );
+    }
+    vanDerWaalsOn_ = effects_.decide
+    (
+        "vanDerWaals",
+        properties_.effect("vanDerWaals"),
+        "F_vdW/F_DDL, 0.5-1.5 spacings",
+        attractionMeasure,
+        tolerance
+    );
+
+    const scalar force = mag(pairLaw(time).force(state_.spacing - thickness()));
+    const scalar thermalForce = alpha*water.thermalEnergy()/state_.spacing;
+
+    effects_.unavailable
+    (
+        "Brownian",
+        properties_,
+        "kT/(F spacing)",
+        thermalForce/max(force, VSMALL),
+        tolerance
+    );
+
+    const vector weight(alpha*clay.volume()*(clay.density - water.density)*g);
+
+    if
+    (
+        effects_.decide
+        (
+            "gravity",
+            properties_.effect("gravity"),
+            "weight/max(F, kT/spacing)",
+            mag(weight)/max(force, thermalForce),
+            tolerance
+        )
+    )
+    {
+        weight_ = weight;
+    }
+}
+
+
+void Foam::clayInteractions::decideFriction(const scalar time)
+{
+    using choice = cloudProperties::choice;
+
+    const colloid::water water(matter_.waterAt(time));
+    const scalar fraction = placedFraction();
+    const word model(matter_.frictionModel());
+
+    const scalar stokes = matter_.newFriction("Stokes", water)->value(fraction);
+    const scalar packed =
+        matter_.newFriction("KozenyCarman", water)->value(fraction);
+
+    const bool packing = effects_.decide
+    (
+        "KozenyCarman",
+        model == "auto" ? choice::automatic
+      : model == "KozenyCarman" ? choice::on : choice::off,
+        "2nd/1st term of friction",
+        packed/stokes - 1,
+        properties_.tolerance()
+    );
+
+    friction_ = matter_.newFriction
+    (
+        model == "auto" ? word(packing ? "KozenyCarman" : "Stokes") : model,
+        water
+    );
+}
+
+
+void Foam::clayInteractions::chooseUnits(const scalar time)
+{
+    const scalar spacing = state_.spacing;
+
+    // Where the forces are nothing (far apart in salt water), the thermal one
+    const scalar force = max
+    (
+        mag(pairLaw(time).force(spacing - thickness())),
+        state_.coarseGraining*matter_.waterAt(time).thermalEnergy()/spacing
+    );
+
+    units_.reset(new reducedUnits(spacing, force, friction(placedFraction())));
+}
+
+
+void Foam::clayInteractions::chooseCutOff
+(
+    const scalar time,
+    const periodicAxes& axes,
+    const label number
+)
+{
+    const scalar spacing = state_.spacing;
+    const colloid::pairInteraction law(pairLaw(time));
+
+    const auto relative = [&](const scalar spacings)
+    {
+        return
+            mag(law.force(spacings*spacing - thickness()))
+           /max(mag(law.force(spacing - thickness())), VSMALL);
+    };
+
+    scalar halfPeriod = GREAT;
+    for (direction axis = 0; axis < 3; ++axis)
+    {
+        if (axes.periodic(axis))
+        {
+            halfPeriod = min(halfPeriod, 0.5*axes.period(axis));
+        }
+    }
+
+    cutOff_ = properties_.cutOff();
+
+    if (cutOff_ > 0)
+    {
+        if (cutOff_ > halfPeriod)
+        {
+            FatalIOErrorInFunction(properties_.dict().subDict("solution"))
+                << "cutOff is " << cutOff_ << " m, but the periodic box is"
+                << " only " << 2*halfPeriod << " m wide." << nl
+                << "    At most half of that, or a larger mesh"
+                << exit(FatalIOError);
+        }
+    }
+    else if (halfPeriod == GREAT && number <= properties_.maxNeighbours())
+    {
+        // Few platelets in open space: all pairs, however far they move apart
+        cutOff_ = 1e3*max(scalar(number), scalar(1))*spacing;
+    }
+    else
+    {
+        // From far away inwards, until the force matters
+        const scalar mostNeighbours = 4*constant::mathematical::pi/3;
+        const scalar furthest =
+            cbrt(properties_.maxNeighbours()/mostNeighbours);
+
+        scalar spacings = furthest;
+        while (spacings > 1.5 && relative(spacings) < properties_.tolerance())
+        {
+            spacings -= 0.01;
+        }
+        // Room for the taper of the last tenth
+        cutOff_ = min(spacings/0.9*spacing, halfPeriod);
+    }
+
+    forceLeftOut_ = relative(0.9*cutOff_/spacing);
+}
+
+
+void Foam::clayInteractions::chooseEngine()
+{
+    using plateletDynamics::engineSettings;
+
+    const word integrator(properties_.integrator());
+
+    settings_.thickness = thickness()/units_->length();
+    settings_.cutOff = cutOff_/units_->length();
+    settings_.skin = max(properties_.skin(), scalar(0))/units_->length();
+    settings_.pairKernel =
+        properties_.exactKernel() || cutOff_ > 100*state_.spacing
+      ? engineSettings::kernel::exact
+      : engineSettings::kernel::table;
+    settings_.tableTolerance = 1e-4*properties_.tolerance();
+    settings_.integrator =
+        integrator == "auto" ? word("AdamsBashforth2") : integrator;
+    settings_.deltaT =
+        max(properties_.engineDeltaT(), scalar(0))/units_->time();
+    settings_.bodyForce = reduced(weight_, units_->force());
+}
+
+
+std::shared_ptr<const plateletDynamics::gapForce>
+Foam::clayInteractions::force(const scalar time) const
+{
+    return std::make_shared<reducedForce>(pairLaw(time), *units_);
+}
+
+
+Foam::scalar Foam::clayInteractions::friction(const scalar fraction) const
+{
+    return state_.coarseGraining*friction_->value(fraction);
+}
+
+
+bool Foam::clayInteractions::frictionIsLocal() const
+{
+    return friction_->varies();
+}
+
+
+Foam::scalar Foam::clayInteractions::filterLength() const
+{
+    const scalar length = properties_.filterLength();
+
+    return length > 0 ? length : 3*state_.spacing;
+}
+
+
+void Foam::clayInteractions::print(Ostream& os) const
+{
+    const auto said = [](const scalar number)
+    {
+        return number > 0 ? "user" : "auto";
+    };
+
+    os  << nl << "Platelets" << nl
+        << "    coarseGraining   " << state_.coarseGraining
+        << " (a parcel stands for " << pow3(state_.coarseGraining) << ")" << nl
+        << "    mean spacing     " << state_.spacing << " m, solid fraction "
+        << placedFraction() << nl
+        << "    friction         " << friction(placedFraction())
+        << " N s/m" << (frictionIsLocal() ? ", follows alpha.clay" : "") << nl
+        << "    cutOff           " << cutOff_ << " m ("
+        << said(properties_.cutOff()) << "), "
+        << cutOff_/state_.spacing << " spacings; force left out "
+        << forceLeftOut_ << nl
+        << "    kernel           "
+        << (
+               settings_.pairKernel
+            == plateletDynamics::engineSettings::kernel::exact
+             ? "exact" : "table"
+           ) << nl
+        << "    integrator       " << settings_.integrator.c_str() << " ("
+        << properties_.integrator() << "), engineDeltaT "
+        << said(properties_.engineDeltaT()) << nl
+        << "    filter length    " << filterLength() << " m ("
+        << said(properties_.filterLength()) << "), time scale "
+        << properties_.filterTimeScale() << " s" << nl
+        << "    tolerance        " << properties_.tolerance() << nl << nl;
+
+    effects_.print(os);
+}

@@ -1,0 +1,93 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "clayState.H"
+#include "cloud.H"
+#include "polyMesh.H"
+#include "Time.H"
+
+namespace
+{
+
+Foam::IOobject stateObject
+(
+    const Foam::polyMesh& mesh,
+    const Foam::IOobject::readOption read
+)
+{
+    return Foam::IOobject
+    (
+        "clayState",
+        mesh.time().timeName(),
+        "uniform"/Foam::cloud::prefix/"clay",
+        mesh.time(),
+        read,
+        Foam::IOobject::AUTO_WRITE
+    );
+}
+
+} // End anonymous namespace
+
+
+Foam::clayState::clayState(const polyMesh& mesh)
+:
+    IOdictionary(stateObject(mesh, IOobject::READ_IF_PRESENT))
+{
+    if (!headerOk())
+    {
+        FatalErrorInFunction
+            << "No clay at time " << mesh.time().timeName() << " (no file "
+            << objectPath() << ")." << nl
+            << "    Place it with setClay (and decompose the case after that),"
+            << " or start from a time that was written"
+            << exit(FatalError);
+    }
+
+    readEntry("coarseGraining", coarseGraining);
+    readEntry("spacing", spacing);
+    readEntry("entered", entered);
+    readEntry("left", left);
+}
+
+
+Foam::clayState::clayState
+(
+    const polyMesh& mesh,
+    const scalar scale,
+    const scalar meanSpacing,
+    const label number
+)
+:
+    IOdictionary(stateObject(mesh, IOobject::NO_READ)),
+    coarseGraining(scale),
+    spacing(meanSpacing),
+    entered(number)
+{}
+
+
+Foam::label Foam::clayState::allLeft() const
+{
+    label sum = 0;
+    forAllConstIters(left, iter)
+    {
+        sum += iter.val();
+    }
+    return sum;
+}
+
+
+bool Foam::clayState::writeData(Ostream& os) const
+{
+    // 17 digits bring a double back bit for bit
+    const int precision = os.precision(17);
+
+    os.writeEntry("coarseGraining", coarseGraining);
+    os.writeEntry("spacing", spacing);
+    os.writeEntry("entered", entered);
+    os.writeEntry("left", left);
+
+    os.precision(precision);
+    return os.good();
+}

@@ -1,0 +1,159 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "waterLimits.H"
+#include "reducedUnits.H"
+
+#include "emptyPolyPatch.H"
+#include "ListOps.H"
+#include "polyMesh.H"
+#include "polyMeshTetDecomposition.H"
+#include "symmetryPlanePolyPatch.H"
+#include "symmetryPolyPatch.H"
+#include "wallPolyPatch.H"
+#include "wedgePolyPatch.H"
+
+#include <vector>
+
+Foam::cloudProperties::patchAction Foam::waterLimits::actionOf
+(
+    const polyMesh& mesh,
+    const label patchi,
+    const cloudProperties& properties
+)
+{
+    using action = cloudProperties::patchAction;
+
+    const polyPatch& patch = mesh.boundaryMesh()[patchi];
+    const action said = properties.actionOf(patch.name());
+
+    if (isA<emptyPolyPatch>(patch) || isA<wedgePolyPatch>(patch))
+    {
+        FatalErrorInFunction
+            << "Patch " << patch.name() << " is of type " << patch.type()
+            << ": platelets move in three dimensions." << nl
+            << "    Use a pair of cyclic patches instead (periodic), or"
+            << " symmetryPlane" << exit(FatalError);
+    }
+
+    if (said != action::automatic)
+    {
+        return said;
+    }
+    if (isA<wallPolyPatch>(patch))
+    {
+        return action::platelet;
+    }
+    if (isA<symmetryPlanePolyPatch>(patch) || isA<symmetryPolyPatch>(patch))
+    {
+        return action::reflect;
+    }
+    return action::absorb;
+}
+
+
+plateletDynamics::boundarySurface Foam::waterLimits::triangles
+(
+    const polyMesh& mesh,
+    const cloudProperties& properties,
+    const scalar lengthUnit
+)
+{
+    using plateletDynamics::boundarySurface;
+    using action = cloudProperties::patchAction;
+
+    // Corners and patch number of each triangle of this rank
+    DynamicList<FixedList<point, 3>> corners;
+    DynamicList<label> patchOf;
+
+    forAll(mesh.boundaryMesh(), patchi)
+    {
+        const polyPatch& patch = mesh.boundaryMesh()[patchi];
+
+        if (patch.coupled())
+        {
+            continue;
+        }
+
+        forAll(patch, i)
+        {
+            const label facei = patch.start() + i;
+
+            // The triangles that OpenFOAM tracks platelets through
+            for
+            (
+                const tetIndices& tet
+              : polyMeshTetDecomposition::faceTetIndices
+                (
+                    mesh, facei, mesh.faceOwner()[facei]
+                )
+            )
+            {
+                // OpenFOAM's normals point out of the water
+                const triFace tri(tet.faceTriIs(mesh));
+                const pointField& points = mesh.points();
+                corners.append
+                (
+                    FixedList<point, 3>
+                    {
+                        points[tri[0]], points[tri[2]], points[tri[1]]
+                    }
+                );
+                patchOf.append(patchi);
+            }
+        }
+    }
+
+    List<List<FixedList<point, 3>>> allCorners(Pstream::nProcs());
+    List<labelList> allPatches(Pstream::nProcs());
+    allCorners[Pstream::myProcNo()] = corners;
+    allPatches[Pstream::myProcNo()] = patchOf;
+    Pstream::gatherList(allCorners);
+    Pstream::scatterList(allCorners);
+    Pstream::gatherList(allPatches);
+    Pstream::scatterList(allPatches);
+
+    // Actions once per patch (global patches have the same number everywhere)
+    std::vector<boundarySurface::action> does
+    (
+        mesh.boundaryMesh().size(),
+        boundarySurface::action::absorb
+    );
+    forAll(mesh.boundaryMesh(), patchi)
+    {
+        if (!mesh.boundaryMesh()[patchi].coupled())
+        {
+            switch (actionOf(mesh, patchi, properties))
+            {
+                case action::platelet:
+                    does[patchi] = boundarySurface::action::platelet;
+                    break;
+                case action::reflect:
+                    does[patchi] = boundarySurface::action::reflect;
+                    break;
+                default:
+                    does[patchi] = boundarySurface::action::absorb;
+            }
+        }
+    }
+
+    boundarySurface surface;
+    forAll(allCorners, proci)
+    {
+        forAll(allCorners[proci], i)
+        {
+            boundarySurface::triangle triangle;
+            for (label j = 0; j < 3; ++j)
+            {
+                triangle.corners[j] =
+                    reduced(allCorners[proci][i][j], lengthUnit);
+            }
+            triangle.patch = allPatches[proci][i];
+            triangle.does = does[triangle.patch];
+            surface.triangles.push_back(triangle);
+        }
+    }
+    return surface;
+}
