@@ -6,6 +6,7 @@
 #include "compressionDoubleLayer.H"
 #include "addToRunTimeSelectionTable.H"
 #include "checkWords.H"
+#include "faceGap.H"
 #include "quadrature.H"
 
 #include <cmath>
@@ -51,6 +52,8 @@ Foam::scalar Foam::colloid::compressionDoubleLayer::sinhMidPotential
     const scalar gap
 ) const
 {
+    requireGap(gap);
+
     const scalar x = inverseDebyeLength_*gap;
     const scalar a = minusLogCharge_ + 0.5*x;       // t = exp(-a)
     const scalar b = minusLogCharge_ + x;           // s = exp(-b)
@@ -119,6 +122,8 @@ Foam::scalar Foam::colloid::compressionDoubleLayer::slope
     const scalar gap
 ) const
 {
+    requireGap(gap);
+
     const scalar x = inverseDebyeLength_*gap;
     const scalar a = minusLogCharge_ + 0.5*x;
     const scalar b = minusLogCharge_ + x;
@@ -147,6 +152,8 @@ Foam::scalar Foam::colloid::compressionDoubleLayer::energy
     const scalar gap
 ) const
 {
+    requireGap(gap);
+
     // No closed form: S is a sum of two kinds of terms under the root
     return integralToInfinity
     (

@@ -100,6 +100,13 @@ Foam::colloid::KozenyCarmanFriction::KozenyCarmanFriction
 }
 
 
+Foam::autoPtr<Foam::colloid::plateletFriction>
+Foam::colloid::KozenyCarmanFriction::clone() const
+{
+    return autoPtr<plateletFriction>(new KozenyCarmanFriction(*this));
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::scalar Foam::colloid::KozenyCarmanFriction::value

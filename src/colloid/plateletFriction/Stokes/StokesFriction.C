@@ -42,6 +42,13 @@ Foam::colloid::StokesFriction::StokesFriction
 {}
 
 
+Foam::autoPtr<Foam::colloid::plateletFriction>
+Foam::colloid::StokesFriction::clone() const
+{
+    return autoPtr<plateletFriction>(new StokesFriction(*this));
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::scalar Foam::colloid::StokesFriction::value(const scalar) const

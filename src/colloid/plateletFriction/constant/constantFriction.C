@@ -38,6 +38,13 @@ Foam::colloid::constantFriction::constantFriction
 {}
 
 
+Foam::autoPtr<Foam::colloid::plateletFriction>
+Foam::colloid::constantFriction::clone() const
+{
+    return autoPtr<plateletFriction>(new constantFriction(*this));
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::scalar Foam::colloid::constantFriction::value(const scalar) const

@@ -1,0 +1,267 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "scales.H"
+#include "KozenyCarmanFriction.H"
+#include "StokesFriction.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::colloid::scales::scales
+(
+    const platelet& clay,
+    const water& solution,
+    const doubleLayer& repulsion,
+    const plateletFriction& friction
+)
+:
+    clay_(clay),
+    water_(solution),
+    doubleLayer_(repulsion.clone().release()),
+    vanDerWaals_(clay),
+    pair_(clay, solution, &repulsion, &vanDerWaals_),
+    friction_(friction.clone().release())
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::colloid::scales::DebyeLength() const
+{
+    return 1/water_.inverseDebyeLength();
+}
+
+
+Foam::scalar Foam::colloid::scales::spacing(const scalar fraction) const
+{
+    return clay_.cubicSpacing(fraction);
+}
+
+
+Foam::scalar Foam::colloid::scales::gapAtSpacing(const scalar fraction) const
+{
+    return spacing(fraction) - clay_.thickness;
+}
+
+
+Foam::scalar Foam::colloid::scales::rangeInSpacings
+(
+    const scalar tolerance,
+    const scalar fraction
+) const
+{
+    return rangeInSpacings
+    (
+        pair_,
+        spacing(fraction),
+        clay_.thickness,
+        tolerance
+    );
+}
+
+
+Foam::scalar Foam::colloid::scales::rangeInSpacings
+(
+    const pairInteraction& pair,
+    const scalar spacing,
+    const scalar thickness,
+    const scalar tolerance
+)
+{
+    const auto forceAt = [&](const scalar spacings)
+    {
+        return mag(pair.force(spacings*spacing - thickness));
+    };
+
+    const scalar small = tolerance*forceAt(1);
+
+    // From far to near, since the net force may pass through zero and return:
+    // the first place that is not small
+    const label nSteps = 2000;
+    const scalar ratio = std::pow(1000.0, 1.0/nSteps);
+
+    label i = nSteps;
+    while (i > 0 && forceAt(std::pow(ratio, i)) <= small)
+    {
+        --i;
+    }
+
+    if (i == nSteps)
+    {
+        return 1000;
+    }
+
+    scalar large = std::pow(ratio, i);
+    scalar far = std::pow(ratio, i + 1);
+
+    for (label j = 0; j < 50; ++j)
+    {
+        const scalar middle = 0.5*(large + far);
+
+        (forceAt(middle) <= small ? far : large) = middle;
+    }
+
+    return far;
+}
+
+
+Foam::scalar Foam::colloid::scales::criticalTimeStep
+(
+    const scalar gap,
+    const scalar fraction
+) const
+{
+    const scalar stiffness = mag(pair_.slope(gap));
+
+    return stiffness > VSMALL ? friction_->value(fraction)/stiffness : GREAT;
+}
+
+
+Foam::scalar Foam::colloid::scales::latticeStiffness
+(
+    const scalar fraction
+) const
+{
+    return
+        4*mag(pair_.slope(gapAtSpacing(fraction)))/friction_->value(fraction);
+}
+
+
+Foam::scalar Foam::colloid::scales::inertialTime(const scalar fraction) const
+{
+    return clay_.mass()/friction_->value(fraction);
+}
+
+
+Foam::scalar Foam::colloid::scales::inertiaNumber
+(
+    const scalar gap,
+    const scalar fraction
+) const
+{
+    return
+        inertialTime(fraction)
+       *mag(pair_.slope(gap))/friction_->value(fraction);
+}
+
+
+Foam::scalar Foam::colloid::scales::StokesNumber
+(
+    const scalar gap,
+    const scalar fraction
+) const
+{
+    const scalar velocity = 2*mag(pair_.force(gap))/friction_->value(fraction);
+
+    return inertialTime(fraction)*velocity/clay_.thickness;
+}
+
+
+Foam::scalar Foam::colloid::scales::settlingVelocity
+(
+    const scalar fraction
+) const
+{
+    return
+        (clay_.density - water_.density)*clay_.volume()
+       *physicalConstants::standardGravity
+       /friction_->value(fraction);
+}
+
+
+Foam::scalar Foam::colloid::scales::vanDerWaalsOverDoubleLayer
+(
+    const scalar gap
+) const
+{
+    const scalar repulsion = doubleLayer_->force(gap);
+    const scalar attraction = vanDerWaals_.force(gap);
+
+    // Not by division: the repulsion may have underflowed
+    return repulsion*GREAT > attraction ? attraction/repulsion : GREAT;
+}
+
+
+Foam::scalar Foam::colloid::scales::KozenyCarmanOverStokes
+(
+    const scalar Kozeny,
+    const scalar fraction
+) const
+{
+    const scalar alone = StokesFriction(clay_, water_).value(0);
+    const scalar among =
+        KozenyCarmanFriction(clay_, water_, Kozeny).value(fraction);
+
+    return among/alone - 1;
+}
+
+
+Foam::scalar Foam::colloid::scales::thermalOverForce
+(
+    const scalar fraction
+) const
+{
+    const scalar work =
+        mag(pair_.force(gapAtSpacing(fraction)))*spacing(fraction);
+
+    return
+        work*GREAT > water_.thermalEnergy()
+      ? water_.thermalEnergy()/work
+      : GREAT;
+}
+
+
+Foam::scalar Foam::colloid::scales::settlingOverFlow
+(
+    const scalar fraction,
+    const scalar waterVelocity
+) const
+{
+    const scalar settling = mag(settlingVelocity(fraction));
+
+    return
+        mag(waterVelocity)*GREAT > settling
+      ? settling/mag(waterVelocity)
+      : GREAT;
+}
+
+
+Foam::scalar Foam::colloid::scales::rimThickness
+(
+    const scalar length,
+    const scalar waterVelocity,
+    const scalar diffusivity,
+    const scalar relativeViscosity
+)
+{
+    return
+        10*std::sqrt(length*diffusivity*relativeViscosity/waterVelocity);
+}
+
+
+Foam::scalar Foam::colloid::scales::rimDiffusionTime
+(
+    const scalar rimThickness,
+    const scalar diffusivity
+)
+{
+    return rimThickness*rimThickness/diffusivity;
+}
+
+
+Foam::scalar Foam::colloid::scales::rimSteadyTime
+(
+    const scalar length,
+    const scalar waterVelocity,
+    const scalar relativeViscosity
+)
+{
+    return 0.7*length*relativeViscosity/waterVelocity;
+}
+
+
+// ************************************************************************* //
