@@ -318,10 +318,8 @@ Foam::colloid::water Foam::colloid::clayProperties::waterAt
 
     if
     (
-       !(
-            solution.concentration >= lowestConcentration
-         && solution.concentration <= highestConcentration
-        )
+        solution.concentration < lowestConcentration
+     || solution.concentration > highestConcentration
     )
     {
         const dictionary& d = dict_.subDict("water");

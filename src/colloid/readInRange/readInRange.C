@@ -6,6 +6,8 @@
 #include "readInRange.H"
 #include "error.H"
 
+#include <cmath>
+
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
 Foam::scalar Foam::colloid::readInRange
@@ -30,8 +32,8 @@ Foam::scalar Foam::colloid::readInRange
 
     const scalar value = dict.get<scalar>(keyword, keyType::LITERAL);
 
-    // Written so that nan is refused, too
-    if (!(value >= lower && value <= upper))
+    // nan first: comparing it would trap
+    if (!std::isfinite(value) || value < lower || value > upper)
     {
         FatalIOError
         (
