@@ -210,13 +210,11 @@ Foam::viscosityModels::LiuCoVolume::LiuCoVolume
 Foam::dimensionedScalar
 Foam::viscosityModels::LiuCoVolume::nuWater() const
 {
-    const colloid::water water(properties_->waterAt(lawTime_));
-
     return dimensionedScalar
     (
         "nuWater",
         dimViscosity,
-        water.viscosity/water.density
+        water().viscosity/water().density
     );
 }
 
@@ -227,6 +225,7 @@ void Foam::viscosityModels::LiuCoVolume::correct()
     updateLaw();
 
     evaluate(nu_.primitiveFieldRef(), alpha.primitiveField());
+    nu_.correctBoundaryConditions();
 
     volScalarField::Boundary& nuBoundary = nu_.boundaryFieldRef();
 
@@ -234,14 +233,14 @@ void Foam::viscosityModels::LiuCoVolume::correct()
     {
         const fvPatchScalarField& alphaPatch = alpha.boundaryField()[patchi];
 
-        // The filter leaves no value on patches that fix none
-        evaluate
-        (
-            nuBoundary[patchi],
-            alphaPatch.fixesValue() || alphaPatch.coupled()
-          ? static_cast<const scalarField&>(alphaPatch)
-          : alphaPatch.patchInternalField()()
-        );
+        if (alphaPatch.fixesValue())
+        {
+            evaluate(nuBoundary[patchi], alphaPatch);
+        }
+        else if (!alphaPatch.coupled())
+        {
+            nuBoundary[patchi] = nuBoundary[patchi].patchInternalField();
+        }
     }
 }
 

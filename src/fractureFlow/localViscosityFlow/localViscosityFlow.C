@@ -53,10 +53,10 @@ void Foam::fractureFlows::localViscosityFlow::checkDivergence()
 
 void Foam::fractureFlows::localViscosityFlow::reconstructU()
 {
-    U() == fvc::reconstruct(phi());
+    URef() == fvc::reconstruct(phi());
 
     // fvc::reconstruct copies the cell's value to the boundary
-    volVectorField::Boundary& Ub = U().boundaryFieldRef();
+    volVectorField::Boundary& Ub = URef().boundaryFieldRef();
 
     forAll(Ub, patchi)
     {
@@ -118,12 +118,12 @@ void Foam::fractureFlows::localViscosityFlow::solve()
 
     const volScalarField mobility("mobility", viscosity().nuWater()/nu());
 
-    U() == u0*mobility;
-    phi() = linearInterpolate(U()) & mesh().Sf();
+    URef() == u0*mobility;
+    phiRef() = linearInterpolate(U()) & mesh().Sf();
 
     if (!asPrinted_)
     {
-        columns_->completeFlux(phi());
+        columns_->completeFlux(phiRef());
         checkDivergence();
         reconstructU();
     }

@@ -29,7 +29,7 @@ Foam::fractureFlows::noFlow::noFlow
     colloid::checkWords(coeffs, wordList());
 
     // phi may have been left in the time directory by another model
-    phi() = dimensionedScalar(phi().dimensions(), Zero);
+    phiRef() = dimensionedScalar(phi().dimensions(), Zero);
 }
 
 

@@ -63,12 +63,12 @@ Foam::fractureFlows::uniformFlow::uniformFlow
 
 void Foam::fractureFlows::uniformFlow::solve()
 {
-    U() == dimensionedVector
+    URef() == dimensionedVector
     (
         "U",
         dimVelocity,
         velocity_->value(mesh().time().value())
     );
 
-    phi() = linearInterpolate(U()) & mesh().Sf();
+    phiRef() = linearInterpolate(U()) & mesh().Sf();
 }

@@ -1,0 +1,369 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "StokesFlow.H"
+#include "StokesPreconditioner.H"
+#include "StokesSystem.H"
+#include "LiuCoVolume.H"
+#include "checkWords.H"
+#include "addToRunTimeSelectionTable.H"
+
+#include <vector>
+
+namespace Foam
+{
+namespace fractureFlows
+{
+    defineTypeNameAndDebug(StokesFlow, 0);
+    addToRunTimeSelectionTable(fractureFlow, StokesFlow, dictionary);
+}
+}
+
+
+Foam::dictionary Foam::fractureFlows::StokesFlow::solverControls
+(
+    const word& fieldName
+) const
+{
+    const dictionary solvers(mesh().solutionDict().subOrEmptyDict("solvers"));
+
+    dictionary controls;
+
+    if (solvers.found(fieldName, keyType::REGEX))
+    {
+        controls = solvers.subDict(fieldName);
+    }
+    else
+    {
+        controls.add("solver", "PCG");
+        controls.add("preconditioner", "DIC");
+        controls.add("tolerance", 0);
+        controls.add("relTol", 0.01);
+    }
+
+    // One line per solution is enough; from v2112 on this switches it off
+    controls.add("log", 0);
+
+    return controls;
+}
+
+
+void Foam::fractureFlows::StokesFlow::readControls()
+{
+    const dictionary controls
+    (
+        mesh().solutionDict().subOrEmptyDict(typeName)
+    );
+
+    colloid::checkWords
+    (
+        controls,
+        wordList
+        ({
+            "residual", "maxIterations", "directions", "notConverged",
+            "pRefCell", "pRefValue"
+        })
+    );
+
+    residual_ = controls.getOrDefault<scalar>("residual", 1e-8);
+    maxIterations_ = controls.getOrDefault<label>("maxIterations", 500);
+    nDirections_ = controls.getOrDefault<label>("directions", 30);
+
+    const word notConverged
+    (
+        controls.getOrDefault<word>("notConverged", "error")
+    );
+    colloid::checkChoice
+    (
+        controls,
+        "notConverged",
+        notConverged,
+        wordList({"error", "warning"})
+    );
+    errorIfNotConverged_ = notConverged == "error";
+
+    velocityControls_ = solverControls("U");
+    pressureControls_ = solverControls("p");
+}
+
+
+void Foam::fractureFlows::StokesFlow::checkBoundaryConditions() const
+{
+    if (p_.dimensions() != dimPressure/dimDensity)
+    {
+        FatalErrorInFunction
+            << p_.objectPath() << " has dimensions " << p_.dimensions() << nl
+            << "Model " << typeName << " needs the kinematic pressure,"
+            << " [0 2 -2 0 0 0 0], as OpenFOAM's incompressible solvers do"
+            << exit(FatalError);
+    }
+
+    forAll(p_.boundaryField(), patchi)
+    {
+        const fvPatchVectorField& Up = U().boundaryField()[patchi];
+        const fvPatchScalarField& pp = p_.boundaryField()[patchi];
+
+        if (StokesSystem::given(Up) && pp.fixesValue() && !pp.coupled())
+        {
+            FatalErrorInFunction
+                << "On patch " << pp.patch().name() << " both U ("
+                << Up.type() << ") and p (" << pp.type()
+                << ") are given, which is one too many" << nl
+                << "Inlet or outlet by pressure: zeroGradient for U;"
+                << " by velocity, and wall: zeroGradient for p"
+                << exit(FatalError);
+        }
+    }
+}
+
+
+Foam::vector Foam::fractureFlows::StokesFlow::drivingForce()
+{
+    if (!pressureGradient_.valid())
+    {
+        return Zero;
+    }
+
+    return
+       -pressureGradient_->value(mesh().time().value())
+       /viscosity().water().density;
+}
+
+
+Foam::fractureFlows::StokesFlow::StokesFlow
+(
+    fvMesh& mesh,
+    const volScalarField& alpha,
+    const dictionary& coeffs
+)
+:
+    fractureFlow(mesh, alpha, coeffs, IOobject::MUST_READ),
+    p_
+    (
+        IOobject
+        (
+            "p",
+            mesh.time().timeName(),
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::AUTO_WRITE
+        ),
+        mesh
+    )
+{
+    colloid::checkWords(coeffs, wordList({"pressureGradient"}));
+
+    if (coeffs.found("pressureGradient"))
+    {
+        pressureGradient_ = Function1<vector>::New("pressureGradient", coeffs);
+    }
+
+    checkBoundaryConditions();
+    readControls();
+}
+
+
+Foam::scalar Foam::fractureFlows::StokesFlow::drivingResidual
+(
+    const StokesSystem& system
+)
+{
+    const vectorField U0(U().primitiveField());
+    const scalarField p0(p_.primitiveField());
+
+    URef().primitiveFieldRef() = Zero;
+    p_.primitiveFieldRef() = Zero;
+
+    flowState r(mesh().nCells());
+    system.residual(URef(), p_, phiRef(), r);
+
+    URef().primitiveFieldRef() = U0;
+    p_.primitiveFieldRef() = p0;
+
+    return Foam::sqrt(system.product(r, r));
+}
+
+
+void Foam::fractureFlows::StokesFlow::iterate
+(
+    const StokesSystem& system,
+    const scalar sizeOfOne
+)
+{
+    const auto residualSize = [&](const flowState& r)
+    {
+        return Foam::sqrt(system.product(r, r))/sizeOfOne;
+    };
+
+    const auto moveTo = [&](const flowState& x)
+    {
+        URef().primitiveFieldRef() = x.momentum;
+        p_.primitiveFieldRef() = x.continuity;
+    };
+
+    const label nCells = mesh().nCells();
+
+    flowState r(nCells);
+    system.residual(URef(), p_, phiRef(), r);
+    residuals_.append(residualSize(r));
+
+    if (residuals_.last() <= residual_)
+    {
+        return;
+    }
+
+    StokesPreconditioner preconditioner
+    (
+        system,
+        U(),
+        p_,
+        velocityControls_,
+        pressureControls_
+    );
+
+    flowState x(nCells);
+    x.momentum = U().primitiveField();
+    x.continuity = p_.primitiveField();
+
+    // Steps and the changes of the residual that they make, these
+    // orthonormal; the oldest is overwritten
+    std::vector<flowState> steps;
+    std::vector<flowState> changes;
+
+    for (label i = 0; i < maxIterations_; ++i)
+    {
+        flowState step(nCells);
+        preconditioner.apply(r, step);
+
+        // Affine equations: the change that a step makes is that of residuals
+        flowState ahead(x);
+        ahead.add(1, step);
+        moveTo(ahead);
+
+        flowState change(r);
+        flowState rAhead(nCells);
+        system.residual(URef(), p_, phiRef(), rAhead);
+        change.add(-1, rAhead);
+
+        for (std::size_t j = 0; j < steps.size(); ++j)
+        {
+            const scalar overlap = system.product(change, changes[j]);
+            change.add(-overlap, changes[j]);
+            step.add(-overlap, steps[j]);
+        }
+
+        const scalar size = Foam::sqrt(system.product(change, change));
+        step.scale(1/size);
+        change.scale(1/size);
+
+        const scalar part = system.product(r, change);
+        x.add(part, step);
+        r.add(-part, change);
+
+        residuals_.append(residualSize(r));
+
+        if (residuals_.last() <= residual_)
+        {
+            // r has been summed up; see what it is
+            moveTo(x);
+            system.residual(URef(), p_, phiRef(), r);
+            residuals_.last() = residualSize(r);
+
+            if (residuals_.last() <= residual_)
+            {
+                return;
+            }
+        }
+
+        if (label(steps.size()) < nDirections_)
+        {
+            steps.push_back(step);
+            changes.push_back(change);
+        }
+        else
+        {
+            steps[i % nDirections_] = step;
+            changes[i % nDirections_] = change;
+        }
+    }
+
+    moveTo(x);
+    system.residual(URef(), p_, phiRef(), r);
+    residuals_.last() = residualSize(r);
+}
+
+
+void Foam::fractureFlows::StokesFlow::setPressureLevel()
+{
+    if (!p_.needReference())
+    {
+        return;
+    }
+
+    const dictionary controls
+    (
+        mesh().solutionDict().subOrEmptyDict(typeName)
+    );
+    const label cell = controls.getOrDefault<label>("pRefCell", 0);
+    const scalar value = controls.getOrDefault<scalar>("pRefValue", 0);
+
+    // In parallel the cell is the master's, as for other OpenFOAM solvers
+    scalar level = 0;
+    if (Pstream::master() && cell < p_.size())
+    {
+        level = value - p_[cell];
+    }
+    reduce(level, sumOp<scalar>());
+
+    p_ += dimensionedScalar("level", p_.dimensions(), level);
+}
+
+
+void Foam::fractureFlows::StokesFlow::solve()
+{
+    readControls();
+
+    const StokesSystem system(nu(), U(), drivingForce());
+    const scalar sizeOfOne = drivingResidual(system);
+
+    residuals_.clear();
+
+    if (sizeOfOne > 0)
+    {
+        iterate(system, sizeOfOne);
+    }
+    else
+    {
+        // Nothing drives the water; the solution is known
+        URef().primitiveFieldRef() = Zero;
+        p_.primitiveFieldRef() = Zero;
+
+        flowState r(mesh().nCells());
+        system.residual(URef(), p_, phiRef(), r);
+        residuals_.append(0);
+    }
+
+    setPressureLevel();
+
+    Info<< "Stokes: residual " << residuals_.first() << " -> "
+        << residuals_.last() << ", " << residuals_.size() - 1
+        << " iterations" << endl;
+
+    if (residuals_.last() > residual_)
+    {
+        if (errorIfNotConverged_)
+        {
+            FatalErrorInFunction
+                << "The residual is still " << residuals_.last() << " after "
+                << maxIterations_ << " iterations; " << residual_
+                << " was asked for" << nl
+                << "In system/fvSolution, Stokes { residual; maxIterations;"
+                << " notConverged warning; } decide about it"
+                << exit(FatalError);
+        }
+        WarningInFunction
+            << "Residual " << residual_ << " not reached" << endl;
+    }
+}
