@@ -68,7 +68,7 @@ engine::implementation::implementation
     settings_(settings),
     ranks_(communicator),
     integrator_(integrator::New(settings.integrator)),
-    near_(ranks_, space_)
+    near_(ranks_, space_, limits_)
 {
     changeForce(std::move(force), settings.cutOff);
 }
@@ -88,7 +88,7 @@ void engine::implementation::changeForce
         std::move(force), settings_.thickness, cutOff
     );
     kernel_ = pairKernel::New(*force_, settings_);
-    near_.setRange(cutOff, settings_.skin);
+    near_.setRange(cutOff, force_->wallCutOff(), settings_.skin);
     listsExpire();
 }
 
@@ -218,6 +218,10 @@ bool engine::implementation::evaluateForces(bool maySort)
     }
 
     counters_.contacts += met.contacts;
+    counters_.contacts += near_.onWalls().addForces
+    (
+        near_.walls(), near_.points(), *force_, local_.force
+    );
     ++counters_.evaluations;
     forcesHold_ = true;
     stiffnessHolds_ = false;
@@ -270,6 +274,10 @@ double engine::implementation::stiffness()
             local_.size(), Eigen::Matrix3d::Zero()
         );
         kernel_->addStiffness(near_.points(), near_.pairs(), springs);
+        near_.onWalls().addStiffness
+        (
+            near_.walls(), near_.points(), *force_, springs
+        );
         stiffness_ = ranks_.max(decayRateBound(local_, springs));
         stiffnessHolds_ = true;
     }

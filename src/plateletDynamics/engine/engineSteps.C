@@ -23,6 +23,9 @@ constexpr double largestMove = 0.25;
 //- Steps of one call beyond which it would never end
 constexpr double tooManySteps = 1e12;
 
+//- Where absorbed platelets go, in cut-offs: its square is still a number
+constexpr double outOfReach = 1e15;
+
 } // End namespace
 
 
@@ -101,11 +104,37 @@ void engine::implementation::displace(const std::vector<vector>& displacement)
             }
             continue;
         }
-        local_.position[k] += d;
+
+        const vector& from = near_.points().position[k];
+        if (!near_.crossings().near(k, from, d))
+        {
+            local_.position[k] += d;
+            continue;
+        }
+
+        const auto met = near_.crossings().follow(near_.walls(), from, d);
+        local_.position[k] += met.displacement;
+        if (met.absorbedBy >= 0)
+        {
+            absorb(k, met.absorbedBy);
+        }
     }
 
     forcesHold_ = false;
     stiffnessHolds_ = false;
+}
+
+
+void engine::implementation::absorb(std::size_t k, int patch)
+{
+    vector place(local_.position[k]);
+    space_.wrap(place);
+    departures_.push_back({local_.id[k], local_.tag[k], patch, place});
+
+    // Out of reach of all others, and of each other, until the lists are new
+    local_.fixed[k] = platelets::absorbed;
+    local_.position[k] =
+        settings_.cutOff*vector(outOfReach, 10.0*double(local_.id[k]), 0);
 }
 
 

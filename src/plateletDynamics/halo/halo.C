@@ -6,10 +6,10 @@
 
 #include "halo.H"
 
+#include "bounds.H"
 #include "stopwatch.H"
 
 #include <algorithm>
-#include <limits>
 
 namespace plateletDynamics
 {
@@ -17,75 +17,31 @@ namespace plateletDynamics
 namespace
 {
 
-struct extent
+//- The bounds of the own points of each rank
+std::vector<bounds> allBounds
+(
+    const rankGroup& ranks,
+    const kernelPoints& points
+)
 {
-    vector lower = vector::Constant(std::numeric_limits<double>::max());
-    vector upper = -lower;
-
-    bool empty() const
-    {
-        return lower[0] > upper[0];
-    }
-
-    //- Whether x is within the range of the extent
-    bool near(const vector& x, double range) const
-    {
-        double distanceSquared = 0;
-        for (int axis = 0; axis < 3; ++axis)
-        {
-            const double outside =
-                std::max({lower[axis] - x[axis], x[axis] - upper[axis], 0.0});
-
-            distanceSquared += outside*outside;
-        }
-        return distanceSquared < range*range;
-    }
-};
-
-
-//- The extents of the own points of all ranks
-std::vector<extent> extents(const rankGroup& ranks, const kernelPoints& points)
-{
-    extent own;
+    bounds own;
     for (std::size_t k = 0; k < points.owned; ++k)
     {
-        own.lower = own.lower.cwiseMin(points.position[k]);
-        own.upper = own.upper.cwiseMax(points.position[k]);
+        if (points.fixed[k] != platelets::absorbed)
+        {
+            own.include(points.position[k]);
+        }
     }
 
     std::vector<double> numbers(own.lower.data(), own.lower.data() + 3);
     numbers.insert(numbers.end(), own.upper.data(), own.upper.data() + 3);
     numbers = ranks.gather(numbers);
 
-    std::vector<extent> all(ranks.size());
+    std::vector<bounds> all(ranks.size());
     for (int rank = 0; rank < ranks.size(); ++rank)
     {
         all[rank].lower = Eigen::Map<const vector>(&numbers[6*rank]);
         all[rank].upper = Eigen::Map<const vector>(&numbers[6*rank + 3]);
-    }
-    return all;
-}
-
-
-//- Displacements by -1, 0, 1 periods along each periodic axis
-std::vector<vector> shifts(const box& space)
-{
-    std::vector<vector> all{vector::Zero()};
-    for (int axis = 0; axis < 3; ++axis)
-    {
-        if (space.periodic[axis])
-        {
-            const std::vector<vector> before(std::move(all));
-            all.clear();
-            for (const double times : {-1, 0, 1})
-            {
-                for (vector shift : before)
-                {
-                    shift[axis] = times*space.period(axis);
-                    all.push_back(shift);
-                }
-            }
-        }
     }
     return all;
 }
@@ -102,8 +58,8 @@ halo::halo(const rankGroup& ranks, const box& space)
 
 void halo::chooseGhosts(const kernelPoints& points, double range)
 {
-    const std::vector<extent> all(extents(ranks_, points));
-    const extent& own = all[ranks_.rank()];
+    const std::vector<bounds> all(allBounds(ranks_, points));
+    const bounds& own = all[ranks_.rank()];
 
     partners_.clear();
     for (int rank = 0; rank < ranks_.size(); ++rank)
@@ -111,7 +67,7 @@ void halo::chooseGhosts(const kernelPoints& points, double range)
         partner other;
         other.rank = rank;
 
-        for (const vector& shift : shifts(space_))
+        for (const vector& shift : space_.shifts())
         {
             const bool itself = rank == ranks_.rank() && shift.isZero(0);
 
@@ -120,20 +76,23 @@ void halo::chooseGhosts(const kernelPoints& points, double range)
                 continue;
             }
 
-            // Far apart as a whole?
-            const vector nearest =
-                (own.lower + shift).cwiseMax
-                (
-                    all[rank].lower.cwiseMin(own.upper + shift)
-                );
-            if (!all[rank].near(nearest, range))
+            bounds image(own);
+            image.lower += shift;
+            image.upper += shift;
+            if (!image.overlaps(all[rank], range))
             {
                 continue;
             }
 
             for (std::size_t k = 0; k < points.owned; ++k)
             {
-                if (all[rank].near(points.position[k] + shift, range))
+                const vector x(points.position[k] + shift);
+
+                if
+                (
+                    points.fixed[k] != platelets::absorbed
+                 && all[rank].distanceSquared(x) < range*range
+                )
                 {
                     other.index.push_back(int(k));
                     other.shift.push_back(shift);

@@ -36,10 +36,15 @@ public:
 
     sortedPoints(const kernelPoints& points, double edge)
     {
-        const cellKeys grid
-        (
-            points.size() ? points.position[0] : vector::Zero(), edge
-        );
+        bounds around;
+        for (std::size_t k = 0; k < points.size(); ++k)
+        {
+            if (points.fixed[k] != platelets::absorbed)
+            {
+                around.include(points.position[k]);
+            }
+        }
+        const cellKeys grid(around, edge);
 
         std::vector<std::pair<std::int64_t, int>> order(points.size());
         for (std::size_t k = 0; k < points.size(); ++k)

@@ -7,10 +7,10 @@
 #include "neighbourhood.H"
 
 #include "cellKeys.H"
+#include "lineOfSight.H"
 #include "stopwatch.H"
 #include "userError.H"
 
-#include <limits>
 #include <tuple>
 
 namespace plateletDynamics
@@ -25,17 +25,24 @@ constexpr double defaultSkin = 0.12;
 } // End namespace
 
 
-neighbourhood::neighbourhood(const rankGroup& ranks, const box& space)
+neighbourhood::neighbourhood
+(
+    const rankGroup& ranks,
+    const box& space,
+    const boundarySurface& limits
+)
 :
     ranks_(ranks),
     space_(space),
+    limits_(limits),
     halo_(ranks, space)
 {}
 
 
-void neighbourhood::setRange(double cutOff, double skin)
+void neighbourhood::setRange(double cutOff, double wallCutOff, double skin)
 {
     cutOff_ = cutOff;
+    wallCutOff_ = wallCutOff;
     skin_ = skin > 0 ? skin : defaultSkin*cutOff;
 
     for (int axis = 0; axis < 3; ++axis)
@@ -64,19 +71,23 @@ void neighbourhood::setRange(double cutOff, double skin)
         skin_ = std::min(skin_, period - cutOff);
     }
 
+    walls_ = std::make_unique<wallRegions>(limits_, space_, cutOff_ + skin_);
     expire();
 }
 
 
 void neighbourhood::sort(platelets& local) const
 {
-    vector lowest(vector::Constant(std::numeric_limits<double>::max()));
-    for (const vector& x : local.position)
+    bounds around;
+    for (std::size_t k = 0; k < local.size(); ++k)
     {
-        lowest = lowest.cwiseMin(x);
+        if (local.fixed[k] != platelets::absorbed)
+        {
+            around.include(local.position[k]);
+        }
     }
 
-    const cellKeys grid(lowest, (cutOff_ + skin_)/cellKeys::reach);
+    const cellKeys grid(around, (cutOff_ + skin_)/cellKeys::reach);
     std::vector<std::tuple<std::int64_t, std::int64_t, int>> keys;
 
     for (std::size_t k = 0; k < local.size(); ++k)
@@ -101,38 +112,18 @@ void neighbourhood::wrap(platelets& local)
 {
     wraps_.resize(local.size(), {0, 0, 0});
 
-    for (int axis = 0; axis < 3; ++axis)
+    for (std::size_t k = 0; k < local.size(); ++k)
     {
-        if (!space_.periodic[axis])
+        if (local.fixed[k] == platelets::absorbed)
         {
             continue;
         }
-        const double period = space_.period(axis);
+        const std::array<int, 3> outside(space_.wrap(local.position[k]));
 
-        for (std::size_t k = 0; k < local.size(); ++k)
+        for (int axis = 0; axis < 3; ++axis)
         {
-            double& x = local.position[k][axis];
-
-            if
-            (
-                (x >= space_.lower[axis] && x < space_.upper[axis])
-             || local.fixed[k] == platelets::absorbed
-            )
-            {
-                continue;
-            }
-
-            double periods = std::floor((x - space_.lower[axis])/period);
-            x -= periods*period;
-
-            // Just below the lower end rounding leads to the upper
-            if (x >= space_.upper[axis])
-            {
-                x = space_.lower[axis];
-                periods += 1;
-            }
-            local.crossings[k][axis] += int(periods);
-            wraps_[k][axis] += int(periods);
+            local.crossings[k][axis] += outside[axis];
+            wraps_[k][axis] += outside[axis];
         }
     }
 }
@@ -151,6 +142,27 @@ void neighbourhood::place(const platelets& local)
                     wraps_[k][axis]*space_.period(axis);
             }
         }
+    }
+}
+
+
+void neighbourhood::listWalls()
+{
+    if (walls_->empty())
+    {
+        return;
+    }
+
+    wallForces_.list(*walls_, points_, wallCutOff_, skin_);
+    crossings_.list(*walls_, points_, 2*skin_);
+
+    const lineOfSight sight(*walls_, points_, cutOff_ + skin_);
+    if (!sight.free())
+    {
+        pairs_.remove
+        (
+            [&](int k, int j) { return sight.interrupted(k, j); }
+        );
     }
 }
 
@@ -175,6 +187,7 @@ void neighbourhood::rebuild(platelets& local, bool maySort)
 
     halo_.rebuild(points_, cutOff_ + skin_);
     pairs_.build(points_, cutOff_ + skin_);
+    listWalls();
     expired_ = false;
 }
 

@@ -1,0 +1,149 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+\*---------------------------------------------------------------------------*/
+
+#include "lineOfSight.H"
+
+namespace plateletDynamics
+{
+
+namespace
+{
+
+bool isRock(const wallRegions::region& region)
+{
+    return region.does != boundarySurface::action::absorb;
+}
+
+} // End namespace
+
+
+lineOfSight::lineOfSight
+(
+    const wallRegions& walls,
+    const kernelPoints& points,
+    double range
+)
+:
+    walls_(walls),
+    points_(points),
+    inFront_(points.size(), 1)
+{
+    if
+    (
+        !walls.any(boundarySurface::action::platelet)
+     && !walls.any(boundarySurface::action::reflect)
+    )
+    {
+        return;
+    }
+    for (std::size_t k = 0; k < points.size(); ++k)
+    {
+        inFront_[k] = isInFront(points.position[k], range);
+        allInFront_ = allInFront_ && inFront_[k];
+    }
+}
+
+
+bool lineOfSight::isInFront(const vector& x, double range) const
+{
+    const double tolerance = 1e-12*range;
+    bool front = true;
+
+    // Negative once a triangle is found that x is behind: nothing is nearer
+    double reach = range*range;
+
+    walls_.tree().near
+    (
+        x,
+        reach,
+        [&](int regioni)
+        {
+            const wallRegions::region& region = walls_.regions()[regioni];
+
+            // A plane that x is in front of has no triangle that it is behind
+            if
+            (
+                !isRock(region)
+             || (
+                    region.planar
+                 && walls_.triangles()[region.begin].height(x) >= -tolerance
+                )
+            )
+            {
+                return;
+            }
+
+            region.tree.near
+            (
+                x,
+                reach,
+                [&](int item)
+                {
+                    const int number = region.begin + item;
+                    const auto& t = walls_.triangles()[number];
+
+                    if
+                    (
+                        front
+                     && t.height(x) < -tolerance
+                     && (walls_.nearest(number, x).point - x).squaredNorm()
+                     <= reach
+                    )
+                    {
+                        front = false;
+                        reach = -1;
+                    }
+                }
+            );
+        }
+    );
+    return front;
+}
+
+
+bool lineOfSight::interrupted(int i, int j) const
+{
+    if (inFront_[i] && inFront_[j])
+    {
+        return false;
+    }
+
+    const vector& x = points_.position[i];
+    const vector& y = points_.position[j];
+    bool found = false;
+
+    bounds line;
+    line.include(x);
+    line.include(y);
+
+    walls_.tree().near
+    (
+        line,
+        0,
+        [&](int regioni)
+        {
+            const wallRegions::region& region = walls_.regions()[regioni];
+            if (found || !isRock(region))
+            {
+                return;
+            }
+            region.tree.near
+            (
+                line,
+                0,
+                [&](int item)
+                {
+                    found =
+                        found
+                     || walls_.triangles()[region.begin + item].between(x, y);
+                }
+            );
+        }
+    );
+    return found;
+}
+
+} // End namespace plateletDynamics

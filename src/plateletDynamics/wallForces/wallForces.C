@@ -1,0 +1,313 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+\*---------------------------------------------------------------------------*/
+
+#include "wallForces.H"
+
+#include "stiffness.H"
+
+#include <cmath>
+
+namespace plateletDynamics
+{
+
+void wallForces::list
+(
+    const wallRegions& walls,
+    const kernelPoints& points,
+    double cutOff,
+    double skin
+)
+{
+    candidates_.clear();
+    entries_.clear();
+    neighbours_.clear();
+    halfSkin_ = skin/2;
+
+    const double reach = cutOff + halfSkin_;
+    const double reachSquared = reach*reach;
+
+    for (std::size_t k = 0; k < points.owned; ++k)
+    {
+        const vector& x = points.position[k];
+        const std::size_t begin = entries_.size();
+
+        walls.tree().near
+        (
+            x,
+            reachSquared,
+            [&](int region)
+            {
+                if
+                (
+                    walls.regions()[region].does
+                 == boundarySurface::action::platelet
+                )
+                {
+                    listRegion(walls, region, x, reach);
+                }
+            }
+        );
+
+        if (entries_.size() > begin)
+        {
+            // In the order of the regions, not of the tree
+            std::sort
+            (
+                entries_.begin() + begin, entries_.end(),
+                [](const entry& a, const entry& b)
+                {
+                    return a.region < b.region;
+                }
+            );
+            neighbours_.push_back({int(k), begin, entries_.size()});
+        }
+    }
+}
+
+
+void wallForces::listRegion
+(
+    const wallRegions& walls,
+    int region,
+    const vector& x,
+    double reach
+)
+{
+    const wallRegions::region& r = walls.regions()[region];
+    const auto distanceSquared = [&](int triangle)
+    {
+        return (walls.nearest(triangle, x).point - x).squaredNorm();
+    };
+
+    double nearest = reach*reach;
+    bool found = false;
+    r.tree.near
+    (
+        x,
+        nearest,
+        [&](int item)
+        {
+            const double squared = distanceSquared(r.begin + item);
+            found = found || squared <= nearest;
+            nearest = std::min(nearest, squared);
+        }
+    );
+    if (!found)
+    {
+        return;
+    }
+
+    // What may become the nearest while the platelet moves half a skin
+    const double farthest = std::sqrt(nearest) + 2*halfSkin_;
+    const std::size_t begin = candidates_.size();
+    const double farthestSquared = farthest*farthest;
+
+    r.tree.near
+    (
+        x,
+        farthestSquared,
+        [&](int item)
+        {
+            const double distance = std::sqrt(distanceSquared(r.begin + item));
+            if (distance <= farthest)
+            {
+                candidates_.push_back({r.begin + item, distance});
+            }
+        }
+    );
+
+    std::sort
+    (
+        candidates_.begin() + begin, candidates_.end(),
+        [](const candidate& a, const candidate& b)
+        {
+            return
+                std::make_pair(a.distance, a.triangle)
+              < std::make_pair(b.distance, b.triangle);
+        }
+    );
+    entries_.push_back({region, begin, candidates_.size()});
+}
+
+
+wallRegions::foot wallForces::nearest
+(
+    const wallRegions& walls,
+    const entry& where,
+    const vector& x
+) const
+{
+    wallRegions::foot best{};
+    double bestSquared = 0;
+    double best1 = 0;
+
+    for (std::size_t c = where.begin; c < where.end; ++c)
+    {
+        const bool first = c == where.begin;
+
+        // Nearest first: what was farther by more than the platelet can have
+        // moved is still farther
+        if (!first && candidates_[c].distance - halfSkin_ > best1)
+        {
+            break;
+        }
+        const auto foot = walls.nearest(candidates_[c].triangle, x);
+        const double squared = (foot.point - x).squaredNorm();
+
+        if (first || squared < bestSquared)
+        {
+            best = foot;
+            bestSquared = squared;
+            best1 = std::sqrt(squared);
+        }
+    }
+    return best;
+}
+
+
+void wallForces::pulls
+(
+    const wallRegions& walls,
+    const neighbour& near,
+    const vector& x,
+    std::vector<pull>& all
+) const
+{
+    // Equally near but for rounding
+    constexpr double tie = 1 + 1e-9;
+
+    all.clear();
+    for (std::size_t e = near.begin; e < near.end; ++e)
+    {
+        const auto foot = nearest(walls, entries_[e], x);
+        const vector away(x - foot.point);
+
+        all.push_back
+        (
+            {foot, away.norm(), away.dot(foot.outward) < 0, true}
+        );
+    }
+
+    double shortest = all.front().distance;
+    for (const pull& p : all)
+    {
+        shortest = std::min(shortest, p.distance);
+    }
+
+    bool inRock = true;
+    for (const pull& p : all)
+    {
+        inRock = inRock && (p.distance > shortest*tie || p.behind);
+    }
+
+    for (pull& p : all)
+    {
+        const bool pushesBack =
+            inRock && p.behind && p.distance <= shortest*tie;
+
+        p.acts = pushesBack || !p.behind || p.foot.rim;
+        p.behind = pushesBack;
+    }
+}
+
+
+template<class Use>
+void wallForces::forEachWall
+(
+    const wallRegions& walls,
+    const kernelPoints& points,
+    const Use& use
+) const
+{
+    std::vector<pull> all;
+
+    for (const neighbour& near : neighbours_)
+    {
+        const vector& x = points.position[near.platelet];
+        pulls(walls, near, x, all);
+
+        for (const pull& p : all)
+        {
+            if (!p.acts)
+            {
+                continue;
+            }
+
+            // Where the wall is flat, and on the wall itself, the normal is
+            // more exact than the line to the nearest point
+            const bool onWall =
+                p.distance <= 1e-14*(1 + x.cwiseAbs().maxCoeff());
+
+            const vector direction
+            (
+                p.foot.flat || onWall
+              ? p.foot.outward.normalized()
+              : vector((x - p.foot.point)/(p.behind ? -p.distance : p.distance))
+            );
+
+            use(near.platelet, direction, p.behind ? -p.distance : p.distance);
+        }
+    }
+}
+
+
+std::int64_t wallForces::addForces
+(
+    const wallRegions& walls,
+    const kernelPoints& points,
+    const taperedForce& law,
+    std::vector<vector>& force
+) const
+{
+    std::int64_t contacts = 0;
+
+    forEachWall
+    (
+        walls,
+        points,
+        [&](int k, const vector& direction, double distance)
+        {
+            const double gap = distance - law.thickness()/2;
+
+            contacts += gap <= law.contactGap();
+            force[k] += law.force(gap)*direction;
+        }
+    );
+    return contacts;
+}
+
+
+void wallForces::addStiffness
+(
+    const wallRegions& walls,
+    const kernelPoints& points,
+    const taperedForce& law,
+    std::vector<Eigen::Matrix3d>& stiffness
+) const
+{
+    forEachWall
+    (
+        walls,
+        points,
+        [&](int k, const vector& direction, double distance)
+        {
+            const double gap = distance - law.thickness()/2;
+            const double force = law.force(gap);
+
+            // Attraction to an edge holds sideways too; to a plane it does
+            // not, but the bound may be generous
+            const double across =
+                force < 0 && distance > 0 ? force/distance : 0;
+
+            addPairStiffness
+            (
+                stiffness[k], direction, law.slope(gap), across, true
+            );
+        }
+    );
+}
+
+} // End namespace plateletDynamics

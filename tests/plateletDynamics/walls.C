@@ -1,0 +1,367 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    Forces of walls that act as platelets.
+\*---------------------------------------------------------------------------*/
+
+#include "testSurfaces.H"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+engineSettings settings()
+{
+    engineSettings chosen;
+    chosen.thickness = 0.1;
+    chosen.cutOff = 1;
+    chosen.pairKernel = engineSettings::kernel::exact;
+    return chosen;
+}
+
+
+//- The force of a plane at a distance, as of a platelet at the same gap
+double planeForce(double distance)
+{
+    return pairForce(mixedForce(), settings(), distance + 0.05);
+}
+
+
+const box openSpace;
+
+} // End namespace
+
+
+TEST(walls, actAsAPlateletAtTheSameGap)
+{
+    boundarySurface floor;
+    addSheet
+    (
+        floor, vector(-5, -5, 0), vector(10, 0, 0), vector(0, 10, 0),
+        action::platelet
+    );
+
+    const std::vector<double> heights{0.01, 0.06, 0.5, 0.88, 0.94, 0.96};
+    std::vector<vector> places;
+    for (const double height : heights)
+    {
+        places.push_back(vector(0.3, 0.2, height));
+    }
+
+    const auto force =
+        wallForcesAt(places, openSpace, floor, mixedForce(), settings());
+
+    for (std::size_t k = 0; k < places.size(); ++k)
+    {
+        // Rounding of the height
+        const vector expected(0, 0, planeForce(heights[k]));
+        EXPECT_LT((force[k] - expected).norm(), 1e-14) << heights[k];
+    }
+}
+
+
+TEST(walls, pushAPlateletBehindThemBackToTheWater)
+{
+    boundarySurface floor;
+    addSheet
+    (
+        floor, vector(-5, -5, 0), vector(10, 0, 0), vector(0, 10, 0),
+        action::platelet, 3
+    );
+
+    const auto force = wallForcesAt
+    (
+        {vector(0.3, 0.2, -0.02), vector(0.3, 0.2, 0)},
+        openSpace, floor, mixedForce(), settings()
+    );
+
+    EXPECT_LT((force[0] - vector(0, 0, planeForce(-0.02))).norm(), 1e-14);
+    EXPECT_LT((force[1] - vector(0, 0, planeForce(0))).norm(), 1e-14);
+}
+
+
+TEST(walls, actOnceHoweverTheyAreDivided)
+{
+    const auto forces = [](int n, action otherHalf)
+    {
+        boundarySurface floor;
+        addSheet
+        (
+            floor, vector(-2, -2, 0.3), vector(2, 0, 0), vector(0, 4, 0),
+            action::platelet, n, 1
+        );
+        addSheet
+        (
+            floor, vector(0, -2, 0.3), vector(2, 0, 0), vector(0, 4, 0),
+            otherHalf, n, 2
+        );
+        std::vector<vector> places;
+        for (int k = 0; k < 40; ++k)
+        {
+            // Over edges and corners of the division too
+            places.push_back(vector(-1 + k*0.05, -1 + k*0.04, 0.4 + 0.01*k));
+        }
+        return
+            wallForcesAt(places, openSpace, floor, mixedForce(), settings());
+    };
+
+    const auto whole = forces(1, action::platelet);
+    const auto divided = forces(10, action::platelet);
+
+    EXPECT_GT(largest(whole), 0.1);
+
+    // Rounding of the distance
+    EXPECT_LT(largestDifference(whole, divided), 1e-14);
+    EXPECT_GT(largestDifference(whole, forces(1, action::absorb)), 0.01);
+}
+
+
+TEST(walls, inACornerActOneByOne)
+{
+    boundarySurface corner;
+    addSheet
+    (
+        corner, vector(0, 0, 0), vector(3, 0, 0), vector(0, 3, 0),
+        action::platelet, 3
+    );
+    addSheet
+    (
+        corner, vector(0, 0, 0), vector(0, 3, 0), vector(0, 0, 3),
+        action::platelet, 5
+    );
+
+    const auto force = wallForcesAt
+    (
+        {vector(0.2, 1, 0.4), vector(-0.02, 1, -0.03)},
+        openSpace, corner, mixedForce(), settings()
+    );
+
+    EXPECT_LT
+    (
+        (force[0] - vector(planeForce(0.2), 0, planeForce(0.4))).norm(), 1e-14
+    );
+
+    // In the rock beyond the corner both push towards it
+    const double depth = std::hypot(0.02, 0.03);
+    const vector back
+    (
+        2*planeForce(-depth)*vector(0.02, 0, 0.03)/depth
+    );
+    EXPECT_LT((force[1] - back).norm(), 1e-14);
+}
+
+
+TEST(walls, ofAPeriodicBoxHaveNoSeam)
+{
+    // A floor as wide as the box: on the seam too it acts as one plane
+    const box space(cube(2.5, true, true, false));
+    boundarySurface floor;
+    addSheet
+    (
+        floor, vector(0, 0, 0), vector(2.5, 0, 0), vector(0, 2.5, 0),
+        action::platelet, 4
+    );
+
+    const auto force = wallForcesAt
+    (
+        {
+            vector(0, 0, 0.5), vector(1e-9, 2.5 - 1e-9, 0.5),
+            vector(0.1, 1.2, 0.5), vector(2.4, 2.4, 0.5)
+        },
+        space, floor, mixedForce(), settings()
+    );
+
+    for (const vector& f : force)
+    {
+        EXPECT_LT((f - vector(0, 0, planeForce(0.5))).norm(), 1e-14);
+    }
+}
+
+
+TEST(walls, andTheirImagesAreSeveralWalls)
+{
+    // A rock in a periodic box, the platelet between it and its image
+    const box space(cube(2.2, true, false, false));
+    boundarySurface rock;
+    addRock
+    (
+        rock, vector(0.3, -3, -3), vector(1.9, 3, 3), action::platelet, 2
+    );
+
+    const auto force = wallForcesAt
+    (
+        {vector(0.1, 0.1, 0.2), vector(2.0, 0.1, 0.2)},
+        space, rock, mixedForce(), settings()
+    );
+
+    const double near = planeForce(0.1);
+    const double far = planeForce(0.5);
+    EXPECT_LT
+    (
+        (force[1] - vector(near - far, 0, 0)).norm(), 1e-13
+    );
+    EXPECT_LT
+    (
+        (force[0] - vector(planeForce(0.4) - planeForce(0.2), 0, 0)).norm(),
+        1e-13
+    );
+}
+
+
+TEST(walls, ofASheetOfRockDoNotActThroughIt)
+{
+    boundarySurface sheet;
+    addRock
+    (
+        sheet, vector(-5, -5, -0.2), vector(5, 5, 0), action::platelet, 6
+    );
+
+    const auto force = wallForcesAt
+    (
+        {vector(0.3, 0.2, 0.3), vector(0.3, 0.2, -0.6)},
+        openSpace, sheet, mixedForce(), settings()
+    );
+
+    EXPECT_LT((force[0] - vector(0, 0, planeForce(0.3))).norm(), 1e-14);
+    EXPECT_LT((force[1] + vector(0, 0, planeForce(0.4))).norm(), 1e-14);
+}
+
+
+TEST(walls, roundAStepActContinuously)
+{
+    // Round the protruding edge of a block: the force has no jumps
+    boundarySurface block;
+    addRock
+    (
+        block, vector(-3, -3, -3), vector(0, 3, 0), action::platelet, 8
+    );
+
+    const auto jump = [&](int points)
+    {
+        std::vector<vector> places;
+        for (int k = 0; k <= points; ++k)
+        {
+            // Half way round the edge at x = z = 0
+            const double angle = 0.05 + (1.5*M_PI - 0.1)*k/points;
+            places.push_back
+            (
+                0.4*vector(-std::cos(angle), 0, std::sin(angle))
+              + vector(0, 0.123, 0)
+            );
+        }
+        const auto force =
+            wallForcesAt(places, openSpace, block, repulsion(), settings());
+
+        double most = 0;
+        for (int k = 0; k < points; ++k)
+        {
+            most = std::max(most, (force[k + 1] - force[k]).norm());
+        }
+        return most;
+    };
+
+    // The change from point to point falls as the points come closer
+    EXPECT_LT(jump(160), 0.3*jump(40));
+}
+
+
+TEST(walls, ofRoundRockActFromTheNearestPoint)
+{
+    // A sphere of triangles: one smooth region
+    boundarySurface sphere;
+    const int n = 24;
+    const auto at = [&](int i, int j)
+    {
+        const double polar = M_PI*i/n;
+        const double around = M_PI*j/n;
+        return vector
+        (
+            std::sin(polar)*std::cos(around),
+            std::sin(polar)*std::sin(around),
+            std::cos(polar)
+        );
+    };
+    for (int i = 0; i < n; ++i)
+    {
+        for (int j = 0; j < 2*n; ++j)
+        {
+            // The triangles at the poles that have no area are left out
+            sphere.triangles.push_back
+            (
+                {
+                    {at(i, j), at(i + 1, j), at(i + 1, j + 1)},
+                    action::platelet, 0
+                }
+            );
+            sphere.triangles.push_back
+            (
+                {
+                    {at(i, j), at(i + 1, j + 1), at(i, j + 1)},
+                    action::platelet, 0
+                }
+            );
+        }
+    }
+
+    const std::vector<vector> places
+    {
+        vector(0, 0, 1.3), vector(0.9, 0.7, 0.3), vector(-1.1, 0.1, -0.5)
+    };
+    const auto force =
+        wallForcesAt(places, openSpace, sphere, repulsion(), settings());
+
+    for (std::size_t k = 0; k < places.size(); ++k)
+    {
+        const double expected = pairForce
+        (
+            repulsion(), settings(), places[k].norm() - 1 + 0.05
+        );
+
+        // The facets lie up to (pi/24)^2/4 inside the sphere; decay 3
+        EXPECT_NEAR(force[k].norm(), expected, 0.02*expected);
+        EXPECT_GT(force[k].dot(places[k].normalized()), 0.98*force[k].norm());
+    }
+}
+
+
+TEST(walls, letNoForceOfPairsThrough)
+{
+    // Two platelets on either side of a thin rock, and two on the same side
+    boundarySurface sheet;
+    addRock
+    (
+        sheet, vector(-0.5, -0.5, -0.01), vector(0.5, 0.5, 0.01),
+        action::reflect
+    );
+
+    platelets all;
+    all.append(0, vector(0, 0, 0.3));
+    all.append(1, vector(0, 0.1, -0.3));
+    all.append(2, vector(0, 0.7, 0.2));
+    all.append(3, vector(0, 0.8, -0.2));
+    for (int k = 0; k < 4; ++k)
+    {
+        all.tag[k] = k;
+    }
+
+    const auto law = std::make_shared<repulsion>();
+    engine system(openSpace, sheet, law, settings(), MPI_COMM_WORLD);
+    system.load(share(all, sharing::dealt));
+    system.evaluate();
+    const auto force = gather(system.local(), system.local().force, 4);
+
+    // 0 and 1 see 2 and 3 respectively, and these see each other
+    const auto pair = [&](int i, int j)
+    {
+        const vector d(all.position[i] - all.position[j]);
+        return vector(pairForce(*law, settings(), d.norm())*d/d.norm());
+    };
+
+    EXPECT_LT((force[0] - pair(0, 2)).norm(), 1e-14);
+    EXPECT_LT((force[1] - pair(1, 3)).norm(), 1e-14);
+    EXPECT_LT((force[2] - pair(2, 0) - pair(2, 3)).norm(), 1e-14);
+    EXPECT_LT((force[3] - pair(3, 1) - pair(3, 2)).norm(), 1e-14);
+}
