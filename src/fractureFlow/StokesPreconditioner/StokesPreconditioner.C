@@ -235,7 +235,7 @@ void Foam::StokesPreconditioner::apply(const flowState& r, flowState& z)
     dp_.primitiveFieldRef() = z.continuity;
     dp_.correctBoundaryConditions();
 
-    vectorField pressureForce(mesh_.nCells());
+    vectorField pressureForce(mesh_.nCells(), Zero);
     fvc::surfaceIntegrate
     (
         pressureForce,

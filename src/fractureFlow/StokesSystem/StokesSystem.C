@@ -200,6 +200,8 @@ void Foam::StokesSystem::residual
 
     const scalarField& V = mesh_.V();
 
+    // It adds to what is there
+    r.momentum = Zero;
     fvc::surfaceIntegrate(r.momentum, force);
     r.momentum = V*(r.momentum + g_);
 
@@ -234,6 +236,7 @@ void Foam::StokesSystem::residual
         }
     }
 
+    r.continuity = Zero;
     fvc::surfaceIntegrate(r.continuity, phi);
     r.continuity *= -V;
 }
