@@ -166,6 +166,34 @@ TEST(scales, latticeStiffnessIsTwiceThatOfThreePlatelets)
 }
 
 
+TEST(scales, engineStepsAreStableAndResolveThermalMotion)
+{
+    // Repulsion decides at c = 0.1, thermal motion where it has vanished
+    const scales strong = scalesOf(0.1);
+    EXPECT_LT
+    (
+        relativeError
+        (
+            strong.engineTimeStep(0.01)*strong.latticeStiffness(0.01), 0.5
+        ),
+        1e-14
+    );
+
+    platelet clay;
+    clay.Hamaker = 0;
+    const scales weak = scalesOf(1000, clay);
+    const scalar dt = weak.engineTimeStep(1e-4);
+    const scalar D =
+        1.380649e-23*298.15
+       /KozenyCarmanFriction(clay, water(), 5).value(1e-4);
+
+    EXPECT_LT
+    (
+        relativeError(std::sqrt(2*D*dt), 0.1*weak.spacing(1e-4)), 1e-12
+    );
+}
+
+
 // By hand: 1700 kg/m3 x 3.14159e-23 m3 x 9.80665 m/s2 / 1.20381688e-9 N s/m
 TEST(scales, settlingVelocityIsWeightOverFriction)
 {

@@ -131,6 +131,19 @@ Foam::scalar Foam::colloid::scales::latticeStiffness
 }
 
 
+Foam::scalar Foam::colloid::scales::engineTimeStep(const scalar fraction) const
+{
+    const scalar step = 0.1*spacing(fraction);
+    const scalar thermal =
+        0.5*step*step*friction_->value(fraction)/water_.thermalEnergy();
+
+    // 0.5/stiffness without dividing by a force that has underflowed
+    const scalar stiffness = latticeStiffness(fraction);
+
+    return stiffness*thermal > 0.5 ? 0.5/stiffness : thermal;
+}
+
+
 Foam::scalar Foam::colloid::scales::inertialTime(const scalar fraction) const
 {
     return clay_.mass()/friction_->value(fraction);
