@@ -282,4 +282,48 @@ TEST(pairInteraction, isFiniteEverywhere)
 }
 
 
+// Whatever clayProperties accepts computes without a trap: every corner of
+// the valid ranges (platelet.H, water.H)
+TEST(pairInteraction, isFiniteAtTheCornersOfWhatIsValid)
+{
+    for (const scalar diameter : {1e-9, 1e-4})
+    for (const scalar thickness : {1e-10, 0.5*diameter})
+    for (const scalar charge : {1e-6, 10.0})
+    for (const scalar Hamaker : {0.0, 1e-15})
+    for (const scalar contactGap : {1e-12, diameter})
+    for (const scalar concentration : {1e-6, 6100.0})
+    for (const scalar valence : {1.0, 4.0})
+    for (const scalar permittivity : {1.0, 300.0})
+    for (const char* model : {"compression", "weakOverlap"})
+    {
+        platelet clay;
+        clay.diameter = diameter;
+        clay.thickness = thickness;
+        clay.surfaceCharge = charge;
+        clay.Hamaker = Hamaker;
+        clay.contactGap = contactGap;
+
+        water solution;
+        solution.concentration = concentration;
+        solution.valence = valence;
+        solution.relativePermittivity = permittivity;
+
+        dictionary dict;
+        dict.add("model", word(model));
+        const auto layer = doubleLayer::New(dict, clay, solution);
+        const vanDerWaals attraction(clay);
+        const pairInteraction pair(clay, solution, &layer(), &attraction);
+
+        for (const scalar h : {-1e-3, 0.0, 1e-12, 1e-9, 1e-6, 1e-3, 1.0})
+        {
+            ASSERT_TRUE(std::isfinite(pair.force(h)));
+            ASSERT_TRUE(std::isfinite(pair.slope(h)));
+            ASSERT_TRUE(std::isfinite(pair.energy(h)));
+        }
+
+        ASSERT_GT(pair.contactStiffness(), 0);
+    }
+}
+
+
 // ************************************************************************* //

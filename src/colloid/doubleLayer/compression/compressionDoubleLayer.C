@@ -47,25 +47,27 @@ Foam::scalar minusLogTanhQuarter(const Foam::scalar a)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::colloid::compressionDoubleLayer::sinhMidPotential
-(
-    const scalar gap
-) const
+Foam::colloid::compressionDoubleLayer::overlap
+Foam::colloid::compressionDoubleLayer::overlapAt(const scalar gap) const
 {
     requireGap(gap);
 
-    const scalar x = inverseDebyeLength_*gap;
-    const scalar a = minusLogCharge_ + 0.5*x;       // t = exp(-a)
-    const scalar b = minusLogCharge_ + x;           // s = exp(-b)
+    overlap o;
+    o.x = inverseDebyeLength_*gap;
 
-    const scalar t = std::exp(-a);
-    const scalar s = std::exp(-b);
-    const scalar oneMinusT2 = -std::expm1(-2*a);
-    const scalar oneMinusS2 = -std::expm1(-2*b);
+    const scalar a = minusLogCharge_ + 0.5*o.x;     // t = exp(-a)
 
-    return
-        8*t*(1 + t*t)/(oneMinusT2*oneMinusT2)
-      + 8*s/(x*oneMinusS2);
+    o.t = std::exp(-a);
+    o.t2 = o.t*o.t;
+    o.s = o.t2*inverseCharge_;
+
+    const scalar s2 = o.s*o.s;
+
+    o.oneMinusT2 = o.t2 < 0.5 ? 1 - o.t2 : -std::expm1(-2*a);
+    o.oneMinusS2 =
+        s2 < 0.5 ? 1 - s2 : -std::expm1(-2*(minusLogCharge_ + o.x));
+
+    return o;
 }
 
 
@@ -79,6 +81,7 @@ Foam::colloid::compressionDoubleLayer::compressionDoubleLayer
 :
     inverseDebyeLength_(solution.inverseDebyeLength()),
     minusLogCharge_(minusLogTanhQuarter(solution.reducedSurfaceCharge(clay))),
+    inverseCharge_(std::exp(minusLogCharge_)),
     scale_(solution.ionPressure()*clay.faceArea())
 {}
 
@@ -110,7 +113,7 @@ Foam::scalar Foam::colloid::compressionDoubleLayer::force
     const scalar gap
 ) const
 {
-    const scalar S = sinhMidPotential(gap);
+    const scalar S = overlapAt(gap).S();
 
     // cosh(y_m) - 1 without cancellation
     return scale_*S*S/(1 + std::sqrt(1 + S*S));
@@ -122,26 +125,15 @@ Foam::scalar Foam::colloid::compressionDoubleLayer::slope
     const scalar gap
 ) const
 {
-    requireGap(gap);
-
-    const scalar x = inverseDebyeLength_*gap;
-    const scalar a = minusLogCharge_ + 0.5*x;
-    const scalar b = minusLogCharge_ + x;
-
-    const scalar t = std::exp(-a);
-    const scalar s = std::exp(-b);
-    const scalar t2 = t*t;
-    const scalar oneMinusT2 = -std::expm1(-2*a);
-    const scalar oneMinusS2 = -std::expm1(-2*b);
-
-    const scalar S =
-        8*t*(1 + t2)/(oneMinusT2*oneMinusT2)
-      + 8*s/(x*oneMinusS2);
+    const overlap o(overlapAt(gap));
+    const scalar S = o.S();
 
     const scalar dSdx =
-      - 4*t*(1 + 6*t2 + t2*t2)/(oneMinusT2*oneMinusT2*oneMinusT2)
-      - 8*s/(x*oneMinusS2)/x
-      - 8*s*(1 + s*s)/(x*oneMinusS2*oneMinusS2);
+      - 4*o.t*(1 + o.t2*(6 + o.t2))
+       /(o.oneMinusT2*o.oneMinusT2*o.oneMinusT2)
+      - 8*o.s
+       *(1/o.x + (1 + o.s*o.s)/o.oneMinusS2)
+       /(o.x*o.oneMinusS2);
 
     return scale_*inverseDebyeLength_*dSdx*S/std::sqrt(1 + S*S);
 }
@@ -175,7 +167,7 @@ Foam::scalar Foam::colloid::compressionDoubleLayer::midPotential
     const scalar gap
 ) const
 {
-    return std::asinh(sinhMidPotential(gap));
+    return std::asinh(overlapAt(gap).S());
 }
 
 
