@@ -20,32 +20,44 @@ namespace
 
 void check(const engineSettings& settings)
 {
-    const auto refuse = [](const char* name, double value, const char* valid)
-    {
-        throw userError(text(name, " is ", value, " but must be ", valid));
-    };
+    const auto require =
+        [](bool valid, const char* name, double value, const char* what)
+        {
+            if (!std::isfinite(value) || !valid)
+            {
+                throw userError
+                (
+                    text(name, " is ", value, " but must be ", what)
+                );
+            }
+        };
 
-    if (!(settings.thickness >= 0))
-    {
-        refuse("thickness", settings.thickness, "0 or more");
-    }
-    if (!(settings.cutOff > settings.thickness))
-    {
-        refuse("cutOff", settings.cutOff, "greater than the thickness");
-    }
-    if (!(settings.skin >= 0))
-    {
-        refuse("skin", settings.skin, "positive, or 0 to have it chosen");
-    }
-    if (!(settings.deltaT >= 0))
-    {
-        refuse("deltaT", settings.deltaT, "positive, or 0 to have it chosen");
-    }
-    if (!(settings.tableTolerance > 0))
-    {
-        refuse("tableTolerance", settings.tableTolerance, "positive");
-    }
-    if (!settings.bodyForce.allFinite())
+    require
+    (
+        std::isgreaterequal(settings.thickness, 0),
+        "thickness", settings.thickness, "0 or more"
+    );
+    require
+    (
+        std::isgreater(settings.cutOff, settings.thickness),
+        "cutOff", settings.cutOff, "greater than the thickness"
+    );
+    require
+    (
+        std::isgreaterequal(settings.skin, 0),
+        "skin", settings.skin, "positive, or 0 to have it chosen"
+    );
+    require
+    (
+        std::isgreaterequal(settings.deltaT, 0),
+        "deltaT", settings.deltaT, "positive, or 0 to have it chosen"
+    );
+    require
+    (
+        std::isgreater(settings.tableTolerance, 0),
+        "tableTolerance", settings.tableTolerance, "positive"
+    );
+    if (!isFinite(settings.bodyForce))
     {
         throw userError("bodyForce must be finite");
     }
@@ -116,7 +128,7 @@ void engine::implementation::check(const platelets& loaded) const
 
     for (std::size_t k = 0; k < n; ++k)
     {
-        bool outside = !loaded.position[k].allFinite();
+        bool outside = !isFinite(loaded.position[k]);
         for (int axis = 0; axis < 3 && !outside; ++axis)
         {
             outside =
@@ -135,7 +147,11 @@ void engine::implementation::check(const platelets& loaded) const
                 )
             );
         }
-        if (!(loaded.friction[k] > 0) || !std::isfinite(loaded.friction[k]))
+        if
+        (
+            !std::isfinite(loaded.friction[k])
+         || loaded.friction[k] <= 0
+        )
         {
             throw userError
             (
@@ -234,16 +250,34 @@ void engine::implementation::calculateVelocities()
 {
     for (std::size_t k = 0; k < local_.size(); ++k)
     {
+        vector& velocity = local_.velocity[k];
+        velocity.setZero();
+
         if (local_.fixed[k])
         {
-            local_.velocity[k].setZero();
+            continue;
         }
-        else
+        if (std::isgreater(local_.friction[k], 0))
         {
-            local_.velocity[k] =
+            velocity =
                 local_.waterVelocity[k]
               + (local_.force[k] + settings_.bodyForce)/local_.friction[k];
+
+            if (isFinite(velocity))
+            {
+                continue;
+            }
         }
+        if (problem_.empty())
+        {
+            problem_ = text
+            (
+                "Platelet ", local_.id[k], " has no velocity: water velocity (",
+                local_.waterVelocity[k].transpose(), "), force (",
+                local_.force[k].transpose(), "), friction ", local_.friction[k]
+            );
+        }
+        velocity.setZero();
     }
 }
 

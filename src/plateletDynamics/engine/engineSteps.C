@@ -7,8 +7,6 @@
 #include "engineImplementation.H"
 
 #include <cmath>
-#include <limits>
-#include <numeric>
 
 namespace plateletDynamics
 {
@@ -23,6 +21,13 @@ constexpr double largestMove = 0.25;
 //- Steps of one call beyond which it would never end
 constexpr double tooManySteps = 1e12;
 
+//- Time from rate, where no rate means no limit
+double inverse(double rate)
+{
+    return rate > 1e-300 ? 1/rate : 1e300;
+}
+
+
 //- Where absorbed platelets go, in cut-offs: its square is still a number
 constexpr double outOfReach = 1e15;
 
@@ -31,29 +36,26 @@ constexpr double outOfReach = 1e15;
 
 double engine::implementation::stabilityLimit()
 {
-    const double rate = stiffness()/integrator_->realAxisLimit();
-
-    return rate > 0 ? 1/rate : std::numeric_limits<double>::max();
+    return inverse(stiffness()/integrator_->realAxisLimit());
 }
 
 
 double engine::implementation::stableDeltaT()
 {
-    double fastest = 0;
-
     const double byStiffness =
-        safety*stabilityLimit();
+        stiffness()/(safety*integrator_->realAxisLimit());
 
+    double fastest = 0;
     for (const vector& velocity : local_.velocity)
     {
         fastest = std::max(fastest, velocity.cwiseAbs().maxCoeff());
     }
     fastest = ranks_.max(fastest);
 
-    return
-        fastest*byStiffness > largestMove*settings_.cutOff
-      ? largestMove*settings_.cutOff/fastest
-      : byStiffness;
+    return inverse
+    (
+        std::max(byStiffness, fastest/(largestMove*settings_.cutOff))
+    );
 }
 
 
@@ -62,7 +64,7 @@ std::int64_t engine::implementation::stepsFor(double duration)
     const double step =
         settings_.deltaT > 0 ? settings_.deltaT : stableDeltaT();
 
-    if (duration > tooManySteps*step)
+    if (duration/tooManySteps > step)
     {
         throw userError
         (
@@ -90,7 +92,7 @@ void engine::implementation::displace(const std::vector<vector>& displacement)
 
         const vector& d = displacement[k];
 
-        if (!d.allFinite() || d.cwiseAbs().maxCoeff() > settings_.cutOff)
+        if (!isFinite(d) || d.cwiseAbs().maxCoeff() > settings_.cutOff)
         {
             if (problem_.empty())
             {
@@ -159,7 +161,7 @@ void engine::implementation::dropAbsorbed()
 
 void engine::implementation::advance(double duration)
 {
-    if (!(duration >= 0) || !std::isfinite(duration))
+    if (!std::isfinite(duration) || duration < 0)
     {
         throw userError(text("Cannot advance by a time of ", duration));
     }

@@ -13,10 +13,8 @@
 namespace plateletDynamics
 {
 
-void forceTable::tabulate(double begin, double end, int intervals)
+void forceTable::tabulate(double begin, double step, int intervals)
 {
-    const double step = (end - begin)/intervals;
-
     // F/r and its derivative with respect to r^2, per interval
     const auto knot = [&](int i)
     {
@@ -58,40 +56,30 @@ void forceTable::tabulate(double begin, double end, int intervals)
 
 double forceTable::largestError(double cutOff) const
 {
-    double scale = 0;
+    const auto force = [&](double r2)
+    {
+        return std::sqrt(r2)*exact_.forceOverDistance(r2);
+    };
+
+    // Inwards from the cut-off, so that the scale is the largest force beyond.
+    // Nothing is less than 1e-100 of it
+    double scale = std::max
+    (
+        1e-100, std::abs(force(std::pow(taperedForce::taperBegin*cutOff, 2)))
+    );
     double largest = 0;
 
-    // Inwards from the cut-off, so that the scale is the largest force beyond
     for (int i = int(intervals()) - 1; i >= 0; --i)
     {
         for (const double u : {0.9, 0.6, 0.35, 0.1})
         {
             const double r2 = begin_ + (i + u)/perInterval_;
-            const double r = std::sqrt(r2);
-            const double exact = exact_.forceOverDistance(r2);
+            const double exact = force(r2);
+            const double error =
+                std::abs(std::sqrt(r2)*forceOverDistance(r2) - exact);
 
-            scale = std::max(scale, std::abs(exact*r));
-            const double beforeTaper =
-                r < taperedForce::taperBegin*cutOff
-              ? scale
-              : std::max
-                (
-                    scale,
-                    std::abs
-                    (
-                        taperedForce::taperBegin*cutOff
-                       *exact_.forceOverDistance
-                        (
-                            std::pow(taperedForce::taperBegin*cutOff, 2)
-                        )
-                    )
-                );
-            const double error = std::abs(forceOverDistance(r2) - exact)*r;
-
-            if (error > 0)
-            {
-                largest = std::max(largest, error/beforeTaper);
-            }
+            scale = std::max(scale, std::abs(exact));
+            largest = std::max(largest, error/scale);
         }
     }
     return largest;
@@ -102,23 +90,34 @@ forceTable::forceTable(const taperedForce& force, double tolerance)
 :
     exact_(force)
 {
-    const double cutOff = force.cutOff();
+    const double end = force.cutOff()*force.cutOff();
+    const double taper =
+        end - std::pow(taperedForce::taperBegin*force.cutOff(), 2);
+
     double error = 0;
 
-    // Not into the contact, where the force has a kink
+    // The nearest begin that will do, but not into the contact, where the
+    // force has a kink
     for (const double fraction : {0.1, 0.2, 0.4})
     {
-        const double begin =
-            std::max(fraction*cutOff, force.contactDistance());
+        const double nearest =
+            std::max(fraction*force.cutOff(), force.contactDistance());
 
-        for (int intervals = 256; intervals <= 8192; intervals *= 2)
+        // Whole intervals in the taper: its begin has a kink too
+        for (int inTaper = 32; inTaper <= 1024; inTaper *= 2)
         {
-            tabulate(begin*begin, cutOff*cutOff, intervals);
-            error = largestError(cutOff);
+            const double step = taper/inTaper;
+            const int intervals = int((end - nearest*nearest)/step);
 
-            if (error <= tolerance)
+            if (intervals > 0)
             {
-                return;
+                tabulate(end - intervals*step, step, intervals);
+                error = largestError(force.cutOff());
+
+                if (error <= tolerance)
+                {
+                    return;
+                }
             }
         }
     }

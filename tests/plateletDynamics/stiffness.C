@@ -1,0 +1,134 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    The bound of the stiffness against the eigenvalues of the Jacobian.
+\*---------------------------------------------------------------------------*/
+
+#include "testSurfaces.H"
+
+#include <Eigen/Eigenvalues>
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+engineSettings settings()
+{
+    engineSettings chosen;
+    chosen.thickness = 0.1;
+    chosen.cutOff = 1;
+    chosen.pairKernel = engineSettings::kernel::exact;
+    return chosen;
+}
+
+
+//- Fastest rate of decay by central differences of the double sum
+double fastestDecay
+(
+    const platelets& all,
+    const box& space,
+    const gapForce& law
+)
+{
+    const int n = int(all.size());
+    Eigen::MatrixXd jacobian(3*n, 3*n);
+    const double step = 1e-5;
+
+    for (int column = 0; column < 3*n; ++column)
+    {
+        platelets moved(all);
+        moved.position[column/3][column%3] += step;
+        const auto plus = doubleSum(moved, space, law, settings());
+        moved.position[column/3][column%3] -= 2*step;
+        const auto minus = doubleSum(moved, space, law, settings());
+
+        for (int row = 0; row < 3*n; ++row)
+        {
+            // Symmetric form: friction on either side
+            jacobian(row, column) =
+                (plus[row/3] - minus[row/3])[row%3]/(2*step)
+               /std::sqrt(all.friction[row/3]*all.friction[column/3]);
+        }
+    }
+    const Eigen::MatrixXd symmetric
+    (
+        0.5*(jacobian + jacobian.transpose())
+    );
+
+    return
+       -Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>
+        (
+            symmetric, Eigen::EigenvaluesOnly
+        ).eigenvalues()[0];
+}
+
+
+double bound
+(
+    const platelets& all,
+    const box& space,
+    std::shared_ptr<const gapForce> law
+)
+{
+    engine system(space, {}, std::move(law), settings(), MPI_COMM_WORLD);
+    system.load(share(all, sharing::dealt));
+    return system.stiffness();
+}
+
+} // End namespace
+
+
+TEST(stiffness, boundsTheFastestDecayByAtMostTwice)
+{
+    for (const unsigned seed : {1, 2, 3})
+    {
+        const box space(cube(2.5, true, true, false));
+        const platelets all(scatter(20, vector(2.5, 2.5, 2.5), seed));
+
+        for (const auto& law :
+            {
+                std::shared_ptr<const gapForce>(new repulsion(6)),
+                std::shared_ptr<const gapForce>(new mixedForce)
+            })
+        {
+            const double exact = fastestDecay(all, space, *law);
+            const double bounded = bound(all, space, law);
+
+            // Differences of the double sum to 1e-8
+            EXPECT_GE(bounded, exact*(1 - 1e-7));
+            EXPECT_LE(bounded, 2*exact);
+        }
+    }
+}
+
+
+TEST(stiffness, isExactBetweenHeldPlatelets)
+{
+    // A wall and a fixed platelet do not move: F'/xi of each
+    boundarySurface wall;
+    addSheet
+    (
+        wall, vector(0, -5, -5), vector(0, 10, 0), vector(0, 0, 10),
+        action::platelet
+    );
+
+    platelets all;
+    all.append(0, vector(0.4, 0, 0));
+    all.append(1, vector(1.0, 0, 0));
+    all.friction[0] = 2.5;
+    all.fixed[1] = 1;
+
+    const auto law = std::make_shared<repulsion>();
+    engine system(box(), wall, law, settings(), MPI_COMM_WORLD);
+    system.load(share(all, sharing::dealt));
+
+    EXPECT_NEAR
+    (
+        system.stiffness(),
+        -(law->slope(0.35) + law->slope(0.5))/2.5,
+        1e-13
+    );
+}
