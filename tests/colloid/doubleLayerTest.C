@@ -124,7 +124,10 @@ TEST(water, agreesWithTheReference)
     for (const referenceRow& row : referenceTable("colloid.csv"))
     {
         const water w = waterOf(row.at("c"));
-        EXPECT_LT(relativeError(w.inverseDebyeLength(), row.at("kappa")), 1e-10);
+        EXPECT_LT
+        (
+            relativeError(w.inverseDebyeLength(), row.at("kappa")), 1e-10
+        );
         EXPECT_LT
         (
             relativeError(w.surfacePotential(platelet()), row.at("y0")), 1e-10
@@ -179,13 +182,16 @@ TEST(doubleLayer, compressionAgreesWithTheReference)
 }
 
 
-// exp(-kappa h) turns a rounding of kappa h, up to 700, into 1e-13
+// exp(-kappa h) turns a rounding of kappa h, up to 700, into 1e-13. Charges
+// from nearly none to ten times montmorillonite's
 TEST(doubleLayer, compressionAgreesWithItsPlainTwin)
 {
-    const platelet clay;
-
     for (const scalar c : concentrations)
+    for (const scalar charge : {1e-5, 1e-3, 0.02, 0.131, 1.0})
     {
+        platelet clay;
+        clay.surfaceCharge = charge;
+
         const compressionDoubleLayer layer(clay, waterOf(c));
         const plainCompression plain(clay, c);
 
@@ -334,6 +340,33 @@ TEST(doubleLayer, energyVanishesFarAway)
         }
 
         EXPECT_LT(relativeError(layer->energy(h), sum*step/3), 1e-10) << c;
+    }
+}
+
+
+// Integrated with 50 digits by another program (default platelet)
+TEST(doubleLayer, energyIsWhatWasComputedWith50Digits)
+{
+    const scalar known[][3] =
+    {
+        {1e-4, 1e-10, 6.3546658795515236e-16},
+        {0.1, 1e-9, 1.9647911920421663e-16},
+        {0.1, 1e-7, 5.2355625127420637e-19},
+        {1000, 1e-10, 3.2509691547198642e-16},
+        {1000, 1e-8, 1.6006316665277226e-30}
+    };
+
+    for (const auto& [c, h, energy] : known)
+    {
+        EXPECT_LT
+        (
+            relativeError
+            (
+                compressionDoubleLayer(platelet(), waterOf(c)).energy(h),
+                energy
+            ),
+            1e-13
+        ) << c << ' ' << h;
     }
 }
 

@@ -248,7 +248,10 @@ TEST(pairInteraction, repulsionGoesOnInContact)
     const pairInteraction pair = pairOf(0.1, true, false);
 
     // The slope changes by 1e-7 of itself over 1e-7 of the gap
-    EXPECT_LT(relativeError(pair.slope(5e-11), pair.slope(1.0000001e-10)), 1e-6);
+    EXPECT_LT
+    (
+        relativeError(pair.slope(5e-11), pair.slope(1.0000001e-10)), 1e-6
+    );
 }
 
 

@@ -24,7 +24,11 @@ namespace
 autoPtr<plateletFriction> newFriction(const word& model, const char* text)
 {
     IStringStream stream(text);
-    return plateletFriction::New(model, dictionary(stream), platelet(), water());
+
+    return plateletFriction::New
+    (
+        model, dictionary(stream), platelet(), water()
+    );
 }
 
 } // End anonymous namespace

@@ -229,7 +229,10 @@ TEST(scales, measuresOfAutoAreTheirRatios)
     );
 
     // xi(0.01)/xi(0) - 1 of the reference
-    EXPECT_NEAR(s.KozenyCarmanOverStokes(5, 0.01), 7.743e-9/1.20382e-9 - 1, 1e-3);
+    EXPECT_NEAR
+    (
+        s.KozenyCarmanOverStokes(5, 0.01), 7.743e-9/1.20382e-9 - 1, 1e-3
+    );
     EXPECT_NEAR(s.KozenyCarmanOverStokes(5, 0), 0, 1e-15);
 
     const scalar L = s.spacing(0.01);

@@ -70,7 +70,7 @@ std::vector<defaultEntry> defaultEntries()
         {"viscosity", "coreThickness", token(scalar(1)), "Debye lengths"},
         {"viscosity", "gelCoVolume", token(scalar(1.6)), ""},
         {"viscosity", "gelStop", token(word("on")), ""},
-        {"viscosity", "gelViscosity", token(scalar(1e6)), "times that of water"},
+        {"viscosity", "gelViscosity", token(scalar(1e6)), "times water's"},
         {"flocculation", "active", token(word("off")), ""},
         {"flocculation", "fraction", token(scalar(0.005)), ""}
     };
