@@ -23,6 +23,7 @@ Description
 #include "cloudProperties.H"
 #include "fvCFD.H"
 #include "OSspecific.H"
+#include "waterLimits.H"
 
 int main(int argc, char *argv[])
 {
@@ -35,7 +36,7 @@ int main(int argc, char *argv[])
 
     const colloid::clayProperties matter(runTime);
     const cloudProperties properties(runTime);
-    const periodicAxes axes(mesh);
+    const periodicAxes axes(waterLimits::withCells(mesh));
 
     const scalar coarseGraining = properties.coarseGraining();
     if (coarseGraining < 0)

@@ -64,19 +64,6 @@ GeoField cloudField
 }
 
 
-//- The mesh. FatalError if it has no cells on any rank
-const fvMesh& withCells(const fvMesh& mesh)
-{
-    if (returnReduce(mesh.nCells(), sumOp<label>()) == 0)
-    {
-        FatalErrorInFunction
-            << "The mesh has no cells: run blockMesh (or another mesher) first"
-            << exit(FatalError);
-    }
-    return mesh;
-}
-
-
 //- What the engine tells the user ends the run as OpenFOAM's errors do
 template<class Action>
 auto asFatalError(Action action) -> decltype(action())
@@ -101,7 +88,7 @@ Foam::clayCloud::clayCloud
     const colloid::clayProperties& matter
 )
 :
-    Cloud<clayPlatelet>(withCells(mesh), "clay", false),
+    Cloud<clayPlatelet>(waterLimits::withCells(mesh), "clay", false),
     mesh_(mesh),
     matter_(matter),
     properties_(mesh.time()),

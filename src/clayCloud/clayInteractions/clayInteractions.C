@@ -8,6 +8,7 @@
 #include "doubleLayer.H"
 #include "mathematicalConstants.H"
 #include "pairInteraction.H"
+#include "scales.H"
 #include "vanDerWaals.H"
 
 namespace
@@ -138,24 +139,31 @@ void Foam::clayInteractions::decideEffects(const scalar time, const vector& g)
         "drag", properties_.effect("drag"), "(always)", 1, tolerance
     );
 
-    // Half the spacing as placed is nearer than platelets come in still water
     const autoPtr<colloid::doubleLayer> repulsion
     (
         matter_.newDoubleLayer(properties_.doubleLayerDict(), water)
     );
-    const colloid::vanDerWaals attraction(clay);
+    const colloid::scales scales
+    (
+        clay, water, *repulsion, *matter_.newFriction("Stokes", water)
+    );
+    const scalar fraction = placedFraction();
 
-    scalar attractionMeasure = 0;
+    // Where platelets come nearer than placed, and where they have spread
+    scalar attraction = 0;
     for (const scalar spacings : {0.5, 1.0, 1.5})
     {
-        const scalar gap = max
+        attraction = max
         (
-            spacings*state_.spacing/alpha - clay.thickness, clay.contactGap
-        );
-        attractionMeasure = max
-        (
-            attractionMeasure,
-            attraction.force(gap)/max(repulsion->force(gap), VSMALL)
+            attraction,
+            scales.vanDerWaalsOverDoubleLayer
+            (
+                max
+                (
+                    spacings*clay.cubicSpacing(fraction) - clay.thickness,
+                    clay.contactGap
+                )
+            )
         );
     }
     vanDerWaalsOn_ = effects_.decide
@@ -163,22 +171,21 @@ void Foam::clayInteractions::decideEffects(const scalar time, const vector& g)
         "vanDerWaals",
         properties_.effect("vanDerWaals"),
         "F_vdW/F_DDL, 0.5-1.5 spacings",
-        attractionMeasure,
+        attraction,
         tolerance
     );
-
-    const scalar force = mag(pairLaw(time).force(state_.spacing - thickness()));
-    const scalar thermalForce = alpha*water.thermalEnergy()/state_.spacing;
 
     effects_.unavailable
     (
         "Brownian",
         properties_,
         "kT/(F spacing)",
-        thermalForce/max(force, VSMALL),
+        scales.thermalOverForce(fraction),
         tolerance
     );
 
+    const scalar force = mag(pairLaw(time).force(state_.spacing - thickness()));
+    const scalar thermalForce = alpha*water.thermalEnergy()/state_.spacing;
     const vector weight(alpha*clay.volume()*(clay.density - water.density)*g);
 
     if
@@ -203,12 +210,7 @@ void Foam::clayInteractions::decideFriction(const scalar time)
     using choice = cloudProperties::choice;
 
     const colloid::water water(matter_.waterAt(time));
-    const scalar fraction = placedFraction();
     const word model(matter_.frictionModel());
-
-    const scalar stokes = matter_.newFriction("Stokes", water)->value(fraction);
-    const scalar packed =
-        matter_.newFriction("KozenyCarman", water)->value(fraction);
 
     const bool packing = effects_.decide
     (
@@ -216,7 +218,13 @@ void Foam::clayInteractions::decideFriction(const scalar time)
         model == "auto" ? choice::automatic
       : model == "KozenyCarman" ? choice::on : choice::off,
         "2nd/1st term of friction",
-        packed/stokes - 1,
+        colloid::scales
+        (
+            matter_.clay(),
+            water,
+            *matter_.newDoubleLayer("compression", water),
+            *matter_.newFriction("Stokes", water)
+        ).KozenyCarmanOverStokes(matter_.Kozeny(), placedFraction()),
         properties_.tolerance()
     );
 
@@ -289,18 +297,21 @@ void Foam::clayInteractions::chooseCutOff
     }
     else
     {
-        // From far away inwards, until the force matters
-        const scalar mostNeighbours = 4*constant::mathematical::pi/3;
-        const scalar furthest =
-            cbrt(properties_.maxNeighbours()/mostNeighbours);
+        const scalar furthest = cbrt
+        (
+            properties_.maxNeighbours()/(4*constant::mathematical::pi/3)
+        );
+        const scalar spacings = min
+        (
+            furthest,
+            colloid::scales::rangeInSpacings
+            (
+                law, spacing, thickness(), properties_.tolerance()
+            )
+        );
 
-        scalar spacings = furthest;
-        while (spacings > 1.5 && relative(spacings) < properties_.tolerance())
-        {
-            spacings -= 0.01;
-        }
         // Room for the taper of the last tenth
-        cutOff_ = min(spacings/0.9*spacing, halfPeriod);
+        cutOff_ = min(max(spacings, scalar(1.5))/0.9*spacing, halfPeriod);
     }
 
     forceLeftOut_ = relative(0.9*cutOff_/spacing);

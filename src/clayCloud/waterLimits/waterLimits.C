@@ -17,6 +17,18 @@
 
 #include <vector>
 
+const Foam::polyMesh& Foam::waterLimits::withCells(const polyMesh& mesh)
+{
+    if (returnReduce(mesh.nCells(), sumOp<label>()) == 0)
+    {
+        FatalErrorInFunction
+            << "The mesh has no cells: run blockMesh (or another mesher) first"
+            << exit(FatalError);
+    }
+    return mesh;
+}
+
+
 Foam::cloudProperties::patchAction Foam::waterLimits::actionOf
 (
     const polyMesh& mesh,
