@@ -37,6 +37,7 @@ struct plainAggregate
     scalar weight = 0;
     vector momentum = Zero;
     vector gradient = Zero;
+    tensor momentumGradient = Zero;
 };
 
 } // End anonymous namespace
@@ -185,6 +186,8 @@ plainFields plainFilter
             h.aggregate->weight += h.kernel/sum;
             h.aggregate->momentum += h.kernel/sum*platelet.velocity;
             h.aggregate->gradient += h.gradient/sum;
+            h.aggregate->momentumGradient +=
+                platelet.velocity*h.gradient/sum;
         }
         if (hits.empty())
         {
@@ -201,20 +204,28 @@ plainFields plainFilter
         {
             extent = max(extent, cmptMag(cells.centres[celli] - a.centre));
         }
-        const scalar steepest = cmptSum(cmptMultiply(cmptMag(a.gradient), extent));
-        const scalar kept =
-            steepest > a.weight ? a.weight/steepest : scalar(1);
+        // Relative change of the weight from the centre to the corner
+        const scalar change =
+            a.weight > 0
+          ? cmptSum(cmptMultiply(cmptMag(a.gradient), extent))/a.weight
+          : 0;
+        const scalar kept = change > 1 ? 1/change : 1;
+        const scalar linear = change < 0.5 ? 1 : change > 1 ? 0 : 2 - 2*change;
 
         for (const label celli : a.cells)
         {
-            const scalar weight =
-                a.weight
-              + kept*(a.gradient & (cells.centres[celli] - a.centre));
+            const vector d(cells.centres[celli] - a.centre);
+            const scalar weight = a.weight + kept*(a.gradient & d);
 
             fields.alpha[celli] += weight;
             if (a.weight > 0)
             {
-                momentum[celli] += weight/a.weight*a.momentum;
+                const vector velocity(a.momentum/a.weight);
+                const tensor gradient
+                (
+                    (a.momentumGradient - velocity*a.gradient)/a.weight
+                );
+                momentum[celli] += weight*(velocity + linear*(gradient & d));
             }
         }
     }

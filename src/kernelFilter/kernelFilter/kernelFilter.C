@@ -7,184 +7,15 @@
 
 #include "cubicKernel.H"
 
-// One version of a loop per instruction set, chosen when the program starts
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define forEachMachine \
-    __attribute__((target_clones("default", "arch=haswell")))
-#else
-#define forEachMachine
-#endif
-
 // * * * * * * * * * * * * * * * Local functions * * * * * * * * * * * * * * //
 
-namespace Foam
-{
-
 namespace
 {
 
-//- A centre that the kernel touches by less than this part of its length
-//  counts as out of reach: the kernel there is nothing but round-off
-constexpr scalar touch = 1e-12;
+//- A kernel that touches the nearest centre by less than this part of its
+//  length doesn't reach it: there K is nothing but round-off
+constexpr Foam::scalar touch = 1e-12;
 
-
-//- t = 1 - r/l for points near p, and which of them are within reach: their
-//  number, their indices (counted from first) and t
-forEachMachine
-label findReached
-(
-    const scalar* const x,
-    const scalar* const y,
-    const scalar* const z,
-    const label n,
-    const scalar px,
-    const scalar py,
-    const scalar pz,
-    const scalar perLength,
-    const label first,
-    label* const reached,
-    scalar* const nearness
-)
-{
-    for (label i = 0; i < n; ++i)
-    {
-        const scalar dx = x[i] - px;
-        const scalar dy = y[i] - py;
-        const scalar dz = z[i] - pz;
-        nearness[i] = 1 - std::sqrt(dx*dx + dy*dy + dz*dz)*perLength;
-    }
-
-    // Without a branch, which would be mispredicted half of the time
-    label found = 0;
-    for (label i = 0; i < n; ++i)
-    {
-        const scalar t = nearness[i];
-        reached[found] = first + i;
-        nearness[found] = t;
-        found += t > touch;
-    }
-    return found;
-}
-
-} // End anonymous namespace
-
-} // End namespace Foam
-
-
-// * * * * * * * * * * * * * * * * * Private * * * * * * * * * * * * * * * * //
-
-void Foam::kernelFilter::reach(const point& p)
-{
-    reached_.clear();
-    nearness_.clear();
-
-    bins_.forRows
-    (
-        p,
-        length_,
-        [&](const label begin, const label end)
-        {
-            const label found = reached_.size();
-            reached_.setSize(found + end - begin);
-            nearness_.setSize(found + end - begin);
-
-            const label n = findReached
-            (
-                &x_[begin],
-                &y_[begin],
-                &z_[begin],
-                end - begin,
-                p.x(),
-                p.y(),
-                p.z(),
-                1/length_,
-                begin,
-                &reached_[found],
-                &nearness_[found]
-            );
-            reached_.setSize(found + n);
-            nearness_.setSize(found + n);
-        }
-    );
-}
-
-
-Foam::scalar Foam::kernelFilter::ownSum() const
-{
-    const scalarField& volumes = aggregates_.ownVolumes();
-    scalar sum = 0;
-
-    forAll(reached_, i)
-    {
-        sum += cubicKernel::value(nearness_[i])*volumes[reached_[i]];
-    }
-    return sum;
-}
-
-
-void Foam::kernelFilter::spread
-(
-    const point& p,
-    const vector& velocity,
-    const scalar sum
-)
-{
-    const scalar perSum = 1/sum;
-    const scalar slopeFactor = perSum/sqr(length_);
-    const bool linear = aggregates_.gathered();
-
-    forAll(reached_, i)
-    {
-        const label a = reached_[i];
-        sums& s = sums_[a];
-
-        const scalar weight = cubicKernel::value(nearness_[i])*perSum;
-        s.weight += weight;
-        s.momentum[0] += weight*velocity.x();
-        s.momentum[1] += weight*velocity.y();
-        s.momentum[2] += weight*velocity.z();
-
-        if (linear)
-        {
-            const scalar slope = cubicKernel::slope(nearness_[i])*slopeFactor;
-            s.gradient[0] += slope*(p.x() - x_[a]);
-            s.gradient[1] += slope*(p.y() - y_[a]);
-            s.gradient[2] += slope*(p.z() - z_[a]);
-        }
-    }
-}
-
-
-void Foam::kernelFilter::limitGradients()
-{
-    const vectorField& halfWidths = aggregates_.halfWidths();
-
-    forAll(sums_, a)
-    {
-        sums& s = sums_[a];
-
-        // By the extent of the aggregate, not by its cells, which this rank
-        // need not have all
-        scalar largest = 0;
-        for (direction axis = 0; axis < 3; ++axis)
-        {
-            largest += mag(s.gradient[axis])*halfWidths[a][axis];
-        }
-        if (largest > s.weight)
-        {
-            for (scalar& slope : s.gradient)
-            {
-                slope *= s.weight/largest;
-            }
-        }
-    }
-}
-
-
-// * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * * //
-
-namespace
-{
 
 //- Aggregates are made of it before anything else is
 Foam::scalar checked(const Foam::scalar length, const Foam::scalar timeScale)
@@ -202,6 +33,175 @@ Foam::scalar checked(const Foam::scalar length, const Foam::scalar timeScale)
 } // End anonymous namespace
 
 
+// * * * * * * * * * * * * * * * * * Private * * * * * * * * * * * * * * * * //
+
+void Foam::kernelFilter::addPlatelets
+(
+    const UList<point>& positions,
+    const UList<vector>& velocities,
+    const labelUList& cells
+)
+{
+    const label me = Pstream::myProcNo();
+
+    // By bins, so that neighbours find the same sums still in the cache
+    pointField places(positions.size());
+    forAll(places, k)
+    {
+        places[k] = aggregates_.counting(positions[k]);
+    }
+    const labelList order(pointBins(places, length_/2).order());
+
+    const List<plateletExchange::guests> guests
+    (
+        exchange_.send
+        (
+            pointField(places, order),
+            vectorField(velocities, order)
+        )
+    );
+    sums_.clear();
+
+    // The sums of the kernels. A platelet all of whose images reach only this
+    // rank is added at once
+    List<scalarField> ownSums(guests.size());
+    forAll(guests, proci)
+    {
+        const plateletExchange::guests& from = guests[proci];
+        const labelList& sent = exchange_.sentTo(me);
+        ownSums[proci].setSize(from.positions.size());
+
+        scalar sum = 0;
+        forAll(from.positions, i)
+        {
+            const bool firstImage =
+                proci != me || i == 0 || sent[i] != sent[i - 1];
+
+            if (firstImage)
+            {
+                sums_.next();
+                sum = 0;
+            }
+            ownSums[proci][i] = sums_.reach(from.positions[i]);
+            sum += ownSums[proci][i];
+
+            const bool lastImage =
+                proci != me || i + 1 == sent.size() || sent[i + 1] != sent[i];
+
+            if
+            (
+                proci == me
+             && lastImage
+             && exchange_.onlyHere(sent[i])
+             && sum > leastSum_
+            )
+            {
+                sums_.add(from.velocities[i], sum);
+            }
+        }
+    }
+
+    const scalarField sumOf(exchange_.sumBack(ownSums));
+    const List<scalarField> guestSums(exchange_.tell(sumOf));
+
+    forAll(guests, proci)
+    {
+        const plateletExchange::guests& from = guests[proci];
+
+        forAll(from.positions, i)
+        {
+            const bool done =
+                proci == me && exchange_.onlyHere(exchange_.sentTo(me)[i]);
+
+            if (!done && guestSums[proci][i] > leastSum_)
+            {
+                sums_.next();
+                sums_.reach(from.positions[i]);
+                sums_.add(from.velocities[i], guestSums[proci][i]);
+            }
+        }
+    }
+
+    toCells();
+
+    const scalarField& V = mesh_.cellVolumes();
+    forAll(sumOf, i)
+    {
+        if (sumOf[i] <= leastSum_)
+        {
+            const label celli = cells[order[i]];
+            weight_[celli] += 1/V[celli];
+            momentum_[celli] += velocities[order[i]]/V[celli];
+        }
+    }
+}
+
+
+void Foam::kernelFilter::toCells()
+{
+    const labelList& aggregateOf = aggregates_.aggregateOf();
+
+    weight_.setSize(mesh_.nCells());
+    momentum_.setSize(mesh_.nCells());
+
+    if (!aggregates_.gathered())
+    {
+        forAll(weight_, celli)
+        {
+            weight_[celli] = sums_.weight(aggregateOf[celli]);
+            momentum_[celli] = sums_.momentum(aggregateOf[celli]);
+        }
+        return;
+    }
+
+    const vectorField& halfWidths = aggregates_.halfWidths();
+    vectorField weightGradients(aggregates_.size());
+    vectorField velocities(aggregates_.size());
+    tensorField velocityGradients(aggregates_.size());
+
+    forAll(velocities, a)
+    {
+        const scalar weight = sums_.weight(a);
+        const vector gradient(sums_.weightGradient(a));
+
+        // Largest change of the weight within the aggregate, relative. By its
+        // extent, not by its cells, since this rank need not have all
+        const scalar change =
+            weight > 0
+          ? (cmptMag(gradient) & halfWidths[a])/weight
+          : scalar(0);
+
+        // alpha doesn't become negative
+        weightGradients[a] = gradient/max(change, scalar(1));
+
+        // The velocity is a mean over platelets and varies linearly as long
+        // as their weights do so nearly; else it is constant, lest it leaves
+        // the range of the platelets' velocities
+        const scalar linear = min(max(2 - 2*change, scalar(0)), scalar(1));
+
+        velocities[a] = weight > 0 ? sums_.momentum(a)/weight : vector(Zero);
+        velocityGradients[a] =
+            weight > 0 && linear > 0
+          ? linear/weight
+           *(sums_.momentumGradient(a) - velocities[a]*gradient)
+          : tensor(Zero);
+    }
+
+    forAll(weight_, celli)
+    {
+        const label a = aggregateOf[celli];
+        const vector& offset = aggregates_.offsets()[celli];
+
+        weight_[celli] =
+            max(sums_.weight(a) + (weightGradients[a] & offset), scalar(0));
+        momentum_[celli] =
+            weight_[celli]*(velocities[a] + (velocityGradients[a] & offset));
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * * //
+
 Foam::kernelFilter::kernelFilter
 (
     const fvMesh& mesh,
@@ -214,14 +214,17 @@ Foam::kernelFilter::kernelFilter
     timeScale_(timeScale),
     axes_(mesh),
     aggregates_(mesh, axes_, length/cubesPerLength),
-    bins_(aggregates_.centres(), length/3),
-    exchange_(axes_, bins_.bounds(), length)
+    sums_
+    (
+        aggregates_.centres(),
+        aggregates_.ownVolumes(),
+        length,
+        aggregates_.gathered()
+    ),
+    leastSum_(cubicKernel::value(touch)*gMin(mesh.cellVolumes())),
+    exchange_(axes_, sums_.bounds(), length)
 {
-    aggregates_.reorder(bins_.order());
-
-    x_ = aggregates_.centres().component(vector::X);
-    y_ = aggregates_.centres().component(vector::Y);
-    z_ = aggregates_.centres().component(vector::Z);
+    aggregates_.reorder(sums_.order());
 }
 
 
@@ -238,100 +241,7 @@ void Foam::kernelFilter::update
     volVectorField& Uclay
 )
 {
-    sums_ = List<sums>(aggregates_.size());
-
-    pointField places(positions.size());
-    forAll(places, k)
-    {
-        places[k] = aggregates_.counting(positions[k]);
-    }
-    const List<plateletExchange::guests> guests
-    (
-        exchange_.send(places, velocities)
-    );
-
-    // Sums of the kernels. A platelet of this rank that reaches nothing beyond
-    // it is done with at once
-    List<scalarField> ownSums(guests.size());
-    const label me = Pstream::myProcNo();
-
-    forAll(guests, proci)
-    {
-        ownSums[proci].setSize(guests[proci].positions.size());
-
-        forAll(ownSums[proci], i)
-        {
-            const point& p = guests[proci].positions[i];
-
-            reach(p);
-            ownSums[proci][i] = ownSum();
-
-            if
-            (
-                proci == me
-             && ownSums[me][i] > 0
-             && exchange_.single(exchange_.sentTo(me)[i])
-            )
-            {
-                spread(p, guests[me].velocities[i], ownSums[me][i]);
-            }
-        }
-    }
-
-    const scalarField sumOf(exchange_.sumBack(ownSums));
-    const List<scalarField> guestSums(exchange_.tell(sumOf));
-
-    forAll(guests, proci)
-    {
-        forAll(guestSums[proci], i)
-        {
-            const bool done =
-                proci == me && exchange_.single(exchange_.sentTo(me)[i]);
-
-            if (!done && guestSums[proci][i] > 0)
-            {
-                reach(guests[proci].positions[i]);
-                spread
-                (
-                    guests[proci].positions[i],
-                    guests[proci].velocities[i],
-                    guestSums[proci][i]
-                );
-            }
-        }
-    }
-
-    limitGradients();
-
-    // Per cell, weight per volume and the same times velocity
-    const scalarField& V = mesh_.cellVolumes();
-    const labelList& aggregateOf = aggregates_.aggregateOf();
-    const vectorField& offsets = aggregates_.offsets();
-    scalarField weight(V.size());
-    vectorField momentum(V.size());
-
-    forAll(weight, celli)
-    {
-        const sums& s = sums_[aggregateOf[celli]];
-        const vector& d = offsets[celli];
-        const scalar* g = s.gradient;
-        const scalar* m = s.momentum;
-
-        weight[celli] =
-            max(0., s.weight + g[0]*d.x() + g[1]*d.y() + g[2]*d.z());
-        momentum[celli] =
-            s.weight > 0
-          ? weight[celli]/s.weight*vector(m[0], m[1], m[2])
-          : vector(Zero);
-    }
-    forAll(sumOf, k)
-    {
-        if (!(sumOf[k] > 0))
-        {
-            weight[cells[k]] += 1/V[cells[k]];
-            momentum[cells[k]] += velocities[k]/V[cells[k]];
-        }
-    }
+    addPlatelets(positions, velocities, cells);
 
     // The part of the present state in the filtered one
     const scalar present =
@@ -342,14 +252,14 @@ void Foam::kernelFilter::update
 
     forAll(a, celli)
     {
-        const scalar fraction = weight[celli]*plateletVolume;
+        const scalar fraction = weight_[celli]*plateletVolume;
 
         if (present < 1)
         {
             const vector flux
             (
                 (1 - present)*a[celli]*U[celli]
-              + present*plateletVolume*momentum[celli]
+              + present*plateletVolume*momentum_[celli]
             );
             a[celli] += present*(fraction - a[celli]);
             U[celli] = a[celli] > VSMALL ? flux/a[celli] : vector(Zero);
@@ -358,8 +268,8 @@ void Foam::kernelFilter::update
         {
             a[celli] = fraction;
             U[celli] =
-                weight[celli] > 0
-              ? momentum[celli]/weight[celli]
+                weight_[celli] > 0
+              ? momentum_[celli]/weight_[celli]
               : vector(Zero);
         }
     }

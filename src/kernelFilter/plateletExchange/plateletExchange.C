@@ -73,6 +73,17 @@ void Foam::plateletExchange::images
 }
 
 
+bool Foam::plateletExchange::isNear
+(
+    const point& p,
+    const boundBox& region
+) const
+{
+    const point nearest(min(max(p, region.min()), region.max()));
+    return magSqr(p - nearest) < sqr(reach_);
+}
+
+
 template<class Type>
 Foam::List<Type> Foam::plateletExchange::swap(const List<Type>& toRanks)
 {
@@ -139,7 +150,8 @@ Foam::List<Foam::plateletExchange::guests> Foam::plateletExchange::send
 )
 {
     List<guests> toRanks(Pstream::nProcs());
-    copies_ = labelList(positions.size(), 0);
+    onlyHere_.setSize(positions.size());
+    onlyHere_ = true;
 
     FixedList<DynamicList<scalar>, 3> shifts;
     DynamicList<label> sent;
@@ -172,9 +184,15 @@ Foam::List<Foam::plateletExchange::guests> Foam::plateletExchange::send
                 {
                     for (const scalar z : shifts[2])
                     {
-                        sent.append(k);
-                        places.append(p + vector(x, y, z));
-                        ++copies_[k];
+                        const point image(p + vector(x, y, z));
+
+                        if (isNear(image, region))
+                        {
+                            sent.append(k);
+                            places.append(image);
+                            onlyHere_[k] =
+                                onlyHere_[k] && proci == Pstream::myProcNo();
+                        }
                     }
                 }
             }
@@ -195,7 +213,7 @@ Foam::scalarField Foam::plateletExchange::sumBack
 ) const
 {
     const List<scalarField> found(swap(perGuest));
-    scalarField sum(copies_.size(), Zero);
+    scalarField sum(onlyHere_.size(), Zero);
 
     forAll(found, proci)
     {

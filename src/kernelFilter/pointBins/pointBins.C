@@ -11,15 +11,15 @@ Foam::label Foam::pointBins::bin
     const scalar coordinate
 ) const
 {
-    const scalar i = (coordinate - bounds_.min()[axis])/edge_;
+    const scalar i = (coordinate - bounds_.min()[axis])/edge_[axis];
     return i <= 0 ? 0 : i >= n_[axis] ? n_[axis] - 1 : label(i);
 }
 
 
-Foam::pointBins::pointBins(const UList<point>& points, const scalar edge)
+Foam::pointBins::pointBins(const UList<point>& points, const scalar width)
 :
     bounds_(points, false),
-    edge_(edge),
+    edge_(0.25*width, width, width),
     n_(1)
 {
     // Few bins that are empty: as many bins as points, and some
@@ -27,7 +27,7 @@ Foam::pointBins::pointBins(const UList<point>& points, const scalar edge)
     const vector span(points.empty() ? vector(Zero) : bounds_.span());
     const auto count = [&](const direction axis)
     {
-        return std::floor(span[axis]/edge_) + 1;
+        return std::floor(span[axis]/edge_[axis]) + 1;
     };
 
     while (count(0)*count(1)*count(2) > most)
