@@ -208,15 +208,16 @@ void engine::implementation::listsExpire()
 }
 
 
-bool engine::implementation::evaluateForces(bool maySort)
+void engine::implementation::evaluateForces(bool maySort)
 {
     if (forcesHold_)
     {
-        return false;
+        return;
     }
 
-    const bool listed = near_.update(local_, maySort, problem_);
-    counters_.rebuilds += listed;
+    counters_.rebuilds += near_.update(local_, maySort, problem_, moved_);
+    travelled_ += moved_;
+    moved_ = 0;
 
     const stopwatch watch(counters_.forceSeconds);
     pairKernel::events met;
@@ -241,8 +242,6 @@ bool engine::implementation::evaluateForces(bool maySort)
     ++counters_.evaluations;
     forcesHold_ = true;
     stiffnessHolds_ = false;
-
-    return listed;
 }
 
 

@@ -18,6 +18,10 @@ namespace
 constexpr double safety = 0.5;
 constexpr double largestMove = 0.25;
 
+//- The step is chosen anew when a platelet may have come this far, in cut-offs.
+//  Not when lists are made: that depends on the number of ranks
+constexpr double holdsFor = 0.025;
+
 //- Steps of one call beyond which it would never end
 constexpr double tooManySteps = 1e12;
 
@@ -106,6 +110,7 @@ void engine::implementation::displace(const std::vector<vector>& displacement)
             }
             continue;
         }
+        moved_ = std::max(moved_, d.norm());
 
         const vector& from = near_.points().position[k];
         if (!near_.crossings().near(k, from, d))
@@ -174,13 +179,14 @@ void engine::implementation::advance(double duration)
 
     while (remaining > 0)
     {
-        const bool listed = evaluateForces(true);
+        evaluateForces(true);
         calculateVelocities();
 
-        if (listed || steps == 0)
+        if (steps == 0 || travelled_ > holdsFor*settings_.cutOff)
         {
             steps = stepsFor(remaining);
             deltaT = remaining/steps;
+            travelled_ = 0;
         }
 
         counters_.particleSteps += local_.size();

@@ -196,7 +196,8 @@ bool neighbourhood::update
 (
     platelets& local,
     bool maySort,
-    const std::string& problem
+    const std::string& problem,
+    double& largestMove
 )
 {
     double movedSquared = 0;
@@ -217,12 +218,14 @@ bool neighbourhood::update
     }
 
     // The same on all ranks: any problem, whether to list anew
-    double decision[2] =
+    double decision[3] =
     {
         double(!problem.empty()),
-        double(expired_ || 4*movedSquared > skin_*skin_)
+        double(expired_ || 4*movedSquared > skin_*skin_),
+        largestMove
     };
-    ranks_.max(decision, 2);
+    ranks_.max(decision, 3);
+    largestMove = decision[2];
 
     if (decision[0] > 0)
     {
