@@ -6,8 +6,8 @@
 #include "clayCloud.H"
 
 #include "costReport.H"
+#include "fvcGrad.H"
 #include "fvMesh.H"
-#include "interpolationCellPoint.H"
 #include "Pstream.H"
 #include "uniformDimensionedFields.H"
 #include "waterLimits.H"
@@ -201,28 +201,33 @@ void Foam::clayCloud::sampleWater(const volVectorField& Uwater)
     const reducedUnits& units = interactions_.units();
     plateletDynamics::platelets& local = engine_->local();
 
-    const interpolationCellPoint<vector> UAt(Uwater);
-    const interpolationCellPoint<scalar> alphaAt(alpha_);
+    // Linear in each cell: other than the interpolation through the points of
+    // the mesh, this is the same on any number of ranks
+    const tmp<volTensorField> gradU(fvc::grad(Uwater));
+    const tmp<volVectorField> gradAlpha(fvc::grad(alpha_));
+    const volVectorField& centres = mesh_.C();
 
     for (std::size_t i = 0; i < local.size(); ++i)
     {
         const clayPlatelet& platelet = *platelets_[local.tag[i]];
-        const tetIndices tet(platelet.currentTetIndices());
+        const label celli = platelet.cell();
+        const vector fromCentre(platelet.position() - centres[celli]);
 
         if (interactions_.drag())
         {
             local.waterVelocity[i] = reduced
             (
-                UAt.interpolate(platelet.coordinates(), tet),
+                Uwater[celli] + (fromCentre & gradU()[celli]),
                 units.velocity()
             );
         }
 
-        const scalar alpha =
-            interactions_.frictionIsLocal()
-          ? alphaAt.interpolate(platelet.coordinates(), tet)
-          : 0;
-
+        scalar alpha = 0;
+        if (interactions_.frictionIsLocal())
+        {
+            alpha = alpha_[celli] + (fromCentre & gradAlpha()[celli]);
+            alpha = min(max(alpha, scalar(0)), scalar(0.99));
+        }
         local.friction[i] = interactions_.friction(alpha)/units.friction();
     }
 }
