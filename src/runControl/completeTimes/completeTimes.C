@@ -140,12 +140,16 @@ Foam::completeTimes::completeTimes(const fileName& casePath)
 
 // * * * * * * * * * * * * * * * Member functions  * * * * * * * * * * * * * //
 
-Foam::wordList Foam::completeTimes::names() const
+std::string Foam::completeTimes::names
+(
+    const label first,
+    const label last
+) const
 {
-    wordList names(times_.size());
-    forAll(times_, timei)
+    std::string names;
+    for (label timei = first; timei < last; ++timei)
     {
-        names[timei] = times_[timei].name();
+        names += (timei > first ? " " : "") + times_[timei].name();
     }
     return names;
 }
@@ -169,7 +173,8 @@ Foam::instant Foam::completeTimes::start(const dictionary& controlDict) const
         {
             FatalIOErrorInFunction(controlDict)
                 << "startTime " << value << " is not there. The case has "
-                << "the times " << flatOutput(names()) << nl
+                << (times_.empty() ? "no times" : "the times ")
+                << names().c_str() << nl
                 << exit(FatalIOError);
         }
     }
@@ -197,24 +202,21 @@ Foam::instant Foam::completeTimes::start(const dictionary& controlDict) const
 
     if (taken < wanted)
     {
-        wordList skipped(wanted - taken);
-        forAll(skipped, i)
-        {
-            skipped[i] = times_[taken + 1 + i].name();
-        }
+        const std::string skipped(names(taken + 1, wanted + 1));
 
         if (taken < 0)
         {
             FatalIOErrorInFunction(controlDict)
-                << "No complete time to start from: " << flatOutput(skipped)
-                << " were left incomplete by a run that was interrupted while "
-                << "it wrote them" << nl << "(uniform/incomplete is there, "
-                << "or they are not on every processor)"
+                << "No complete time to start from. Left incomplete by a run "
+                << "that was interrupted while it wrote:" << nl
+                << skipped.c_str() << nl
+                << "(uniform/incomplete is there, or they are not on every "
+                << "processor)" << nl
                 << exit(FatalIOError);
         }
 
-        Info<< "Skipped " << flatOutput(skipped)
-            << ": left incomplete by an interrupted run." << nl
+        Info<< "Left incomplete by an interrupted run, skipped: time "
+            << skipped.c_str() << nl
             << "Start from the last complete time, " << times_[taken].name()
             << nl << endl;
     }

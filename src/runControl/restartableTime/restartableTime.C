@@ -8,7 +8,7 @@
 #include "IOdictionary.H"
 #include "PstreamReduceOps.H"
 #include "argList.H"
-#include "completeTimes.H"
+#include "chosenStart.H"
 #include "exactTimeState.H"
 #include "fileOperation.H"
 #include "incompleteMarker.H"
@@ -57,100 +57,60 @@ bool functionObjectsWanted(const Foam::argList& args)
      && !args.found("noFunctionObjects");
 }
 
-
-void refuseCollated(const Foam::word& handler, const Foam::dictionary& dict)
-{
-    if
-    (
-        Foam::Pstream::parRun()
-     && handler != "uncollated"
-     && handler != "masterUncollated"
-    )
-    {
-        FatalIOErrorInFunction(dict)
-            << "The file handler " << handler << " is not supported: a run "
-            << "could not tell which rank's data are complete." << Foam::nl
-            << "Use -fileHandler uncollated (or masterUncollated)"
-            << Foam::exit(Foam::FatalIOError);
-    }
-}
-
 } // End anonymous namespace
-
-
-struct Foam::restartableTime::beginning
-{
-    dictionary controlDict;
-    fileNameList files;
-    instant start;
-
-    explicit beginning(const argList& args)
-    {
-        // A Time that reads nothing, so that no time directory is looked into
-        // before the choice
-        Time caseOnly
-        (
-            args.rootPath(),
-            args.caseName(),
-            "system",
-            "constant",
-            false,
-            false
-        );
-
-        unwatchedIOdictionary read
-        (
-            IOobject
-            (
-                controlDictName,
-                caseOnly.system(),
-                caseOnly,
-                IOobject::MUST_READ_IF_MODIFIED,
-                IOobject::NO_WRITE,
-                false
-            )
-        );
-        files = read.files();
-        controlDict = read;
-
-        word handler(fileHandler().type());
-        if (const dictionary* switches = read.findDict("OptimisationSwitches"))
-        {
-            switches->readIfPresent("fileHandler", handler);
-        }
-        refuseCollated(handler, read);
-
-        start = completeTimes(args.path()).start(read);
-
-        controlDict.set("startFrom", word("startTime"));
-        controlDict.set("startTime", start.value());
-    }
-};
 
 
 // * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * * //
 
 Foam::restartableTime::restartableTime(const argList& args)
 :
-    restartableTime(args, beginning(args))
+    restartableTime
+    (
+        args.rootPath(),
+        args.caseName(),
+        functionObjectsWanted(args),
+        !args.found("no-libs")
+    )
 {}
 
 
 Foam::restartableTime::restartableTime
 (
-    const argList& args,
-    const beginning& chosen
+    const fileName& rootPath,
+    const fileName& caseName,
+    const bool enableFunctionObjects,
+    const bool enableLibs
+)
+:
+    restartableTime
+    (
+        rootPath,
+        caseName,
+        enableFunctionObjects,
+        enableLibs,
+        chosenStart(rootPath, caseName)
+    )
+{}
+
+
+Foam::restartableTime::restartableTime
+(
+    const fileName& rootPath,
+    const fileName& caseName,
+    const bool enableFunctionObjects,
+    const bool enableLibs,
+    const chosenStart& chosen
 )
 :
     Time
     (
         chosen.controlDict,
-        args.rootPath(),
-        args.caseName(),
+        rootPath,
+        caseName,
         "system",
         "constant",
-        functionObjectsWanted(args),
-        !args.found("no-libs")
+        enableFunctionObjects,
+        enableLibs
     ),
     timesKept_(purgeWrite_),
     timesWritten_(),
@@ -291,7 +251,29 @@ void Foam::restartableTime::purge() const
 }
 
 
-void Foam::restartableTime::refuseIncomplete(const string& reason) const
+void Foam::restartableTime::refuse(const string& reason) const
+{
+    FatalErrorInFunction
+        << "Time " << timeName() << " could not be written: "
+        << reason.c_str() << nl
+        << "Is the disk full, or a quota or file-size limit reached?" << nl;
+
+    if (lastComplete_.empty())
+    {
+        FatalError
+            << "No time was written before.";
+    }
+    else
+    {
+        FatalError
+            << "The last complete time is " << lastComplete_
+            << ", unharmed: a restart goes on from there.";
+    }
+    FatalError << exit(FatalError);
+}
+
+
+void Foam::restartableTime::refuseIfAny(const string& reason) const
 {
     List<string> reasons(Pstream::nProcs());
     reasons[Pstream::myProcNo()] = reason;
@@ -302,26 +284,31 @@ void Foam::restartableTime::refuseIncomplete(const string& reason) const
     {
         if (!first.empty())
         {
-            FatalErrorInFunction
-                << "Time " << timeName() << " could not be written: "
-                << first.c_str() << nl
-                << "Is the disk full, or a quota or file-size limit reached?"
-                << nl;
-
-            if (lastComplete_.empty())
-            {
-                FatalError
-                    << "No time was written before.";
-            }
-            else
-            {
-                FatalError
-                    << "The last complete time is " << lastComplete_
-                    << ", unharmed: a restart goes on from there.";
-            }
-            FatalError << exit(FatalError);
+            refuse(first);
         }
     }
+}
+
+
+bool Foam::restartableTime::writeObjects(const bool valid) const
+{
+    // OpenFOAM notices streams that fail while they are written to (not those
+    // that fail when they are closed). It would say less
+    const bool throwing = FatalIOError.throwExceptions();
+    try
+    {
+        const bool written = Time::write(valid) && writeExactState();
+        FatalIOError.throwExceptions(throwing);
+        return written;
+    }
+    catch (const IOerror& err)
+    {
+        FatalIOError.throwExceptions(throwing);
+
+        // Not with the other ranks, which may be elsewhere; they are stopped
+        refuse(string(err.message()));
+    }
+    return false;
 }
 
 
@@ -354,24 +341,24 @@ bool Foam::restartableTime::write(const bool valid) const
         lastComplete_.clear();
     }
 
-    refuseIncomplete
+    refuseIfAny
     (
         incompleteMarker::set(directory)
       ? string()
       : string("can't create " + marker)
     );
 
-    const bool written = Time::write(valid) && writeExactState();
+    const bool written = writeObjects(valid);
     const fileName broken(wholeFiles::firstBroken(directory, marker));
 
-    refuseIncomplete
+    refuseIfAny
     (
         !broken.empty() ? string(broken + " is not whole")
       : !written ? string("OpenFOAM reports a failure in " + directory)
       : string()
     );
 
-    refuseIncomplete
+    refuseIfAny
     (
         incompleteMarker::remove(directory)
       ? string()

@@ -32,10 +32,20 @@ std::filesystem::path asPath(const std::string& name)
 }
 
 
-//- OpenFOAM's files begin with its banner or with the header itself
+//- OpenFOAM's files begin with its banner or with the header itself; some
+//  end within these
 bool beginsAsOpenFOAM(const std::string& head)
 {
-    return head.rfind("/*--", 0) == 0 || head.rfind("FoamFile", 0) == 0;
+    for (const std::string start : {"/*--------", "FoamFile"})
+    {
+        const std::size_t n = std::min(head.size(), start.size());
+
+        if (head.compare(0, n, start, 0, n) == 0)
+        {
+            return true;
+        }
+    }
+    return false;
 }
 
 

@@ -1,0 +1,84 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "chosenStart.H"
+
+#include "Pstream.H"
+#include "Time.H"
+#include "completeTimes.H"
+#include "fileOperation.H"
+
+namespace
+{
+
+void refuseCollated(const Foam::dictionary& controlDict)
+{
+    Foam::word handler(Foam::fileHandler().type());
+
+    const Foam::dictionary* switches =
+        controlDict.findDict("OptimisationSwitches");
+    if (switches)
+    {
+        switches->readIfPresent("fileHandler", handler);
+    }
+
+    if
+    (
+        Foam::Pstream::parRun()
+     && handler != "uncollated"
+     && handler != "masterUncollated"
+    )
+    {
+        FatalIOErrorInFunction(controlDict)
+            << "The file handler " << handler << " is not supported: one file"
+            << " holds the data of all ranks, and it could not be told whose"
+            << " are complete." << Foam::nl
+            << "Use -fileHandler uncollated (or masterUncollated)"
+            << Foam::exit(Foam::FatalIOError);
+    }
+}
+
+} // End anonymous namespace
+
+
+Foam::chosenStart::chosenStart
+(
+    const fileName& rootPath,
+    const fileName& caseName
+)
+{
+    // A Time that reads nothing
+    const Time caseOnly
+    (
+        rootPath,
+        caseName,
+        "system",
+        "constant",
+        false,
+        false
+    );
+
+    unwatchedIOdictionary read
+    (
+        IOobject
+        (
+            Time::controlDictName,
+            caseOnly.system(),
+            caseOnly,
+            IOobject::MUST_READ_IF_MODIFIED,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+
+    refuseCollated(read);
+
+    files = read.files();
+    start = completeTimes(rootPath/caseName).start(read);
+
+    controlDict = read;
+    controlDict.set("startFrom", word("startTime"));
+    controlDict.set("startTime", start.value());
+}
