@@ -4,13 +4,12 @@
 \*---------------------------------------------------------------------------*/
 
 #include "StokesFlow.H"
+#include "StokesIteration.H"
 #include "StokesPreconditioner.H"
 #include "StokesSystem.H"
 #include "LiuCoVolume.H"
 #include "checkWords.H"
 #include "addToRunTimeSelectionTable.H"
-
-#include <vector>
 
 namespace Foam
 {
@@ -24,7 +23,8 @@ namespace fractureFlows
 
 Foam::dictionary Foam::fractureFlows::StokesFlow::solverControls
 (
-    const word& fieldName
+    const word& fieldName,
+    const scalar relTol
 ) const
 {
     const dictionary solvers(mesh().solutionDict().subOrEmptyDict("solvers"));
@@ -40,7 +40,7 @@ Foam::dictionary Foam::fractureFlows::StokesFlow::solverControls
         controls.add("solver", "PCG");
         controls.add("preconditioner", "DIC");
         controls.add("tolerance", 0);
-        controls.add("relTol", 0.01);
+        controls.add("relTol", relTol);
     }
 
     // One line per solution is enough; from v2112 on this switches it off
@@ -84,8 +84,8 @@ void Foam::fractureFlows::StokesFlow::readControls()
     );
     errorIfNotConverged_ = notConverged == "error";
 
-    velocityControls_ = solverControls("U");
-    pressureControls_ = solverControls("p");
+    velocityControls_ = solverControls("U", 1e-3);
+    pressureControls_ = solverControls("p", 1e-2);
 }
 
 
@@ -189,25 +189,12 @@ Foam::scalar Foam::fractureFlows::StokesFlow::drivingResidual
 void Foam::fractureFlows::StokesFlow::iterate
 (
     const StokesSystem& system,
-    const scalar sizeOfOne
+    const scalar unit
 )
 {
-    const auto residualSize = [&](const flowState& r)
-    {
-        return Foam::sqrt(system.product(r, r))/sizeOfOne;
-    };
-
-    const auto moveTo = [&](const flowState& x)
-    {
-        URef().primitiveFieldRef() = x.momentum;
-        p_.primitiveFieldRef() = x.continuity;
-    };
-
-    const label nCells = mesh().nCells();
-
-    flowState r(nCells);
+    flowState r(mesh().nCells());
     system.residual(URef(), p_, phiRef(), r);
-    residuals_.append(residualSize(r));
+    residuals_.append(Foam::sqrt(system.product(r, r))/unit);
 
     if (residuals_.last() <= residual_)
     {
@@ -223,75 +210,30 @@ void Foam::fractureFlows::StokesFlow::iterate
         pressureControls_
     );
 
-    flowState x(nCells);
-    x.momentum = U().primitiveField();
-    x.continuity = p_.primitiveField();
+    StokesIteration iteration
+    (
+        system,
+        preconditioner,
+        URef(),
+        p_,
+        phiRef(),
+        r,
+        nDirections_
+    );
 
-    // Steps and the changes of the residual that they make, these
-    // orthonormal; the oldest is overwritten
-    std::vector<flowState> steps;
-    std::vector<flowState> changes;
-
-    for (label i = 0; i < maxIterations_; ++i)
+    while (residuals_.last() > residual_ && residuals_.size() <= maxIterations_)
     {
-        flowState step(nCells);
-        preconditioner.apply(r, step);
+        iteration.advance();
+        scalar size = iteration.size()/unit;
 
-        // Affine equations: the change that a step makes is that of residuals
-        flowState ahead(x);
-        ahead.add(1, step);
-        moveTo(ahead);
-
-        flowState change(r);
-        flowState rAhead(nCells);
-        system.residual(URef(), p_, phiRef(), rAhead);
-        change.add(-1, rAhead);
-
-        for (std::size_t j = 0; j < steps.size(); ++j)
+        // That one was summed up from steps; see what it is
+        if (size <= residual_ || residuals_.size() == maxIterations_)
         {
-            const scalar overlap = system.product(change, changes[j]);
-            change.add(-overlap, changes[j]);
-            step.add(-overlap, steps[j]);
+            iteration.evaluate();
+            size = iteration.size()/unit;
         }
-
-        const scalar size = Foam::sqrt(system.product(change, change));
-        step.scale(1/size);
-        change.scale(1/size);
-
-        const scalar part = system.product(r, change);
-        x.add(part, step);
-        r.add(-part, change);
-
-        residuals_.append(residualSize(r));
-
-        if (residuals_.last() <= residual_)
-        {
-            // r has been summed up; see what it is
-            moveTo(x);
-            system.residual(URef(), p_, phiRef(), r);
-            residuals_.last() = residualSize(r);
-
-            if (residuals_.last() <= residual_)
-            {
-                return;
-            }
-        }
-
-        if (label(steps.size()) < nDirections_)
-        {
-            steps.push_back(step);
-            changes.push_back(change);
-        }
-        else
-        {
-            steps[i % nDirections_] = step;
-            changes[i % nDirections_] = change;
-        }
+        residuals_.append(size);
     }
-
-    moveTo(x);
-    system.residual(URef(), p_, phiRef(), r);
-    residuals_.last() = residualSize(r);
 }
 
 
@@ -326,13 +268,13 @@ void Foam::fractureFlows::StokesFlow::solve()
     readControls();
 
     const StokesSystem system(nu(), U(), drivingForce());
-    const scalar sizeOfOne = drivingResidual(system);
+    const scalar unit = drivingResidual(system);
 
     residuals_.clear();
 
-    if (sizeOfOne > 0)
+    if (unit > 0)
     {
-        iterate(system, sizeOfOne);
+        iterate(system, unit);
     }
     else
     {

@@ -30,7 +30,7 @@ Foam::wordList Foam::StokesPreconditioner::correctionTypes
         {
             types[patchi] = fixedValueFvPatchVectorField::typeName;
         }
-        else if (StokesSystem::impermeable(Up))
+        else if (StokesSystem::slips(Up))
         {
             types[patchi] = slipFvPatchVectorField::typeName;
         }
@@ -239,7 +239,7 @@ void Foam::StokesPreconditioner::apply(const flowState& r, flowState& z)
     fvc::surfaceIntegrate
     (
         pressureForce,
-        (linearInterpolate(dp_)*mesh_.Sf())()
+        system_.pressureForce(dp_)()
     );
 
     solve

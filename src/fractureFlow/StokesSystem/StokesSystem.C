@@ -18,34 +18,34 @@
 namespace Foam
 {
 
-//- 1/(the values' reciprocals weighted with the distances to the face)
+//- 1/(reciprocals weighted with the distances of the cells from the face)
 static tmp<surfaceScalarField> harmonicMean(const volScalarField& values)
 {
     return 1/reverseLinear<scalar>(values.mesh()).interpolate(1/values);
 }
 
-//- Cell gradient or value of a face quantity, with boundary values
+//- Sum over the faces of a cell over its volume, on boundaries the cell's
 template<class Type>
-static tmp<GeometricField<Type, fvPatchField, volMesh>> cellAverage
+static tmp<GeometricField<Type, fvPatchField, volMesh>> cellDivergence
 (
-    const GeometricField<Type, fvsPatchField, surfaceMesh>& faceIntegral
+    const GeometricField<Type, fvsPatchField, surfaceMesh>& outward
 )
 {
     typedef GeometricField<Type, fvPatchField, volMesh> volField;
 
-    const fvMesh& mesh = faceIntegral.mesh();
+    const fvMesh& mesh = outward.mesh();
 
     tmp<volField> tresult
     (
         new volField
         (
-            IOobject("gradient", mesh.time().timeName(), mesh),
+            IOobject("cellDivergence", mesh.time().timeName(), mesh),
             mesh,
-            dimensioned<Type>(faceIntegral.dimensions()/dimVolume, Zero),
+            dimensioned<Type>("zero", outward.dimensions()/dimVolume, Zero),
             extrapolatedCalculatedFvPatchField<Type>::typeName
         )
     );
-    fvc::surfaceIntegrate(tresult.ref().primitiveFieldRef(), faceIntegral);
+    fvc::surfaceIntegrate(tresult.ref().primitiveFieldRef(), outward);
     tresult.ref().correctBoundaryConditions();
 
     return tresult;
@@ -60,84 +60,22 @@ bool Foam::StokesSystem::given(const fvPatchVectorField& Up)
 }
 
 
-bool Foam::StokesSystem::impermeable(const fvPatchVectorField& Up)
+bool Foam::StokesSystem::slips(const fvPatchVectorField& Up)
 {
     return
-        isA<wallFvPatch>(Up.patch())
-     || isA<basicSymmetryFvPatchVectorField>(Up)
+        isA<basicSymmetryFvPatchVectorField>(Up)
      || isA<partialSlipFvPatchVectorField>(Up);
 }
 
 
-Foam::tmp<Foam::surfaceVectorField> Foam::StokesSystem::transposedGradient
-(
-    const volVectorField& U,
-    const surfaceVectorField& normalGradient
-) const
+void Foam::StokesSystem::makeMobility(const volVectorField& U)
 {
-    // = U_f of the class description, d_P/(d_P + d_N) = 1 - linear weight
-    const surfaceVectorField faceU(linearInterpolate(nu_*U)/linearViscosity_);
-
-    const volTensorField cellGradient(cellAverage<tensor>(mesh_.Sf()*faceU));
-
-    const surfaceVectorField n(mesh_.Sf()/mesh_.magSf());
-
-    // Component i: d_i U_n. Across the face it is the compact gradient
-    surfaceVectorField result(linearInterpolate(cellGradient) & n);
-    result += n*((normalGradient & n) - (result & n));
-
-    // Along walls and planes of symmetry U_n does not vary
-    surfaceVectorField::Boundary& resultb = result.boundaryFieldRef();
-
-    forAll(resultb, patchi)
-    {
-        const fvPatchVectorField& Up = U.boundaryField()[patchi];
-
-        if (impermeable(Up))
-        {
-            const vectorField np(Up.patch().nf());
-            resultb[patchi] = np*(np & normalGradient.boundaryField()[patchi]);
-        }
-    }
-
-    return tmp<surfaceVectorField>(new surfaceVectorField(result));
-}
-
-
-Foam::StokesSystem::StokesSystem
-(
-    const volScalarField& nu,
-    const volVectorField& U,
-    const vector g
-)
-:
-    mesh_(nu.mesh()),
-    nu_(nu),
-    g_(g),
-    faceViscosity_(harmonicMean(nu)),
-    linearViscosity_(linearInterpolate(nu)),
-    mobility_
-    (
-        IOobject("mobility", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimensionedScalar(dimTime, Zero),
-        extrapolatedCalculatedFvPatchScalarField::typeName
-    ),
-    faceMobility_
-    (
-        IOobject("faceMobility", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimensionedScalar(dimTime, Zero)
-    )
-{
-    // Distance-weighted conductance of the faces, boundary ones where U is
-    // given
-    scalarField diagonal(mesh_.nCells(), Zero);
-
     const surfaceScalarField conductance
     (
         faceViscosity_*mesh_.magSf()*mesh_.nonOrthDeltaCoeffs()
     );
+
+    scalarField diagonal(mesh_.nCells(), Zero);
 
     forAll(mesh_.neighbour(), facei)
     {
@@ -165,49 +103,71 @@ Foam::StokesSystem::StokesSystem
 }
 
 
-void Foam::StokesSystem::residual
+Foam::tmp<Foam::surfaceVectorField> Foam::StokesSystem::faceVelocity
 (
-    volVectorField& U,
-    volScalarField& p,
-    surfaceScalarField& phi,
-    flowState& r
+    const volVectorField& U
 ) const
 {
-    U.correctBoundaryConditions();
+    // The linear weight of P is d_N/(d_P + d_N)
+    return linearInterpolate(nu_*U)/meanViscosity_;
+}
 
-    for (fvPatchScalarField& pp : p.boundaryFieldRef())
-    {
-        // The flux through it is that of U as it is, so p does not vary
-        if (isA<fixedFluxPressureFvPatchScalarField>(pp))
-        {
-            refCast<fixedFluxPressureFvPatchScalarField>(pp).updateSnGrad
-            (
-                scalarField(pp.size(), Zero)
-            );
-        }
-    }
-    p.correctBoundaryConditions();
 
-    const surfaceVectorField faceP(linearInterpolate(p)*mesh_.Sf());
-    const surfaceVectorField normalGradient(fvc::snGrad(U));
+Foam::tmp<Foam::surfaceVectorField> Foam::StokesSystem::pressureForce
+(
+    const volScalarField& p
+) const
+{
+    return linearInterpolate(p/nu_)/meanFluidity_*mesh_.Sf();
+}
 
-    const surfaceVectorField force
+
+Foam::tmp<Foam::surfaceVectorField> Foam::StokesSystem::transposedGradient
+(
+    const volVectorField& U,
+    const surfaceVectorField& normalGradient
+) const
+{
+    const volTensorField cellGradient
     (
-        faceViscosity_*mesh_.magSf()
-       *(normalGradient + transposedGradient(U, normalGradient))
-      - faceP
+        cellDivergence<tensor>(mesh_.Sf()*faceVelocity(U))
     );
 
-    const scalarField& V = mesh_.V();
+    const surfaceVectorField n(mesh_.Sf()/mesh_.magSf());
 
-    // It adds to what is there
-    r.momentum = Zero;
-    fvc::surfaceIntegrate(r.momentum, force);
-    r.momentum = V*(r.momentum + g_);
+    // Component i is the derivative of U_n along i. Along n it is compact
+    tmp<surfaceVectorField> tresult(linearInterpolate(cellGradient) & n);
+    surfaceVectorField& result = tresult.ref();
+    result += n*((normalGradient & n) - (result & n));
 
-    const volVectorField gradP(cellAverage<vector>(faceP));
+    forAll(U.boundaryField(), patchi)
+    {
+        const fvPatchVectorField& Up = U.boundaryField()[patchi];
 
-    phi = linearInterpolate(U) & mesh_.Sf();
+        if (slips(Up))
+        {
+            const vectorField np(Up.patch().nf());
+
+            result.boundaryFieldRef()[patchi] =
+                np*(np & normalGradient.boundaryField()[patchi]);
+        }
+    }
+
+    return tresult;
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::StokesSystem::flux
+(
+    const volVectorField& U,
+    const volScalarField& p,
+    const surfaceVectorField& pressureForce
+) const
+{
+    tmp<surfaceScalarField> tphi(faceVelocity(U) & mesh_.Sf());
+    surfaceScalarField& phi = tphi.ref();
+
+    const volVectorField gradP(cellDivergence<vector>(pressureForce));
 
     const surfaceScalarField pressureFlux
     (
@@ -220,21 +180,98 @@ void Foam::StokesSystem::residual
 
     phi.primitiveFieldRef() -= pressureFlux.primitiveField();
 
-    surfaceScalarField::Boundary& phib = phi.boundaryFieldRef();
-
-    forAll(phib, patchi)
+    forAll(phi.boundaryField(), patchi)
     {
+        fvsPatchScalarField& phip = phi.boundaryFieldRef()[patchi];
         const fvPatchVectorField& Up = U.boundaryField()[patchi];
 
         if (Up.coupled() || p.boundaryField()[patchi].fixesValue())
         {
-            phib[patchi] -= pressureFlux.boundaryField()[patchi];
+            phip -= pressureFlux.boundaryField()[patchi];
         }
-        else if (impermeable(Up))
+        else if (slips(Up))
         {
-            phib[patchi] = 0;
+            // Not even round-off
+            phip = 0;
         }
     }
+
+    return tphi;
+}
+
+
+Foam::StokesSystem::StokesSystem
+(
+    const volScalarField& nu,
+    const volVectorField& U,
+    const vector g
+)
+:
+    mesh_(nu.mesh()),
+    nu_(nu),
+    g_(g),
+    faceViscosity_(harmonicMean(nu)),
+    meanViscosity_(linearInterpolate(nu)),
+    meanFluidity_(linearInterpolate(1/nu)),
+    mobility_
+    (
+        IOobject("mobility", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar(dimTime, Zero),
+        extrapolatedCalculatedFvPatchScalarField::typeName
+    ),
+    faceMobility_
+    (
+        IOobject("faceMobility", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar(dimTime, Zero)
+    )
+{
+    makeMobility(U);
+}
+
+
+void Foam::StokesSystem::residual
+(
+    volVectorField& U,
+    volScalarField& p,
+    surfaceScalarField& phi,
+    flowState& r
+) const
+{
+    U.correctBoundaryConditions();
+
+    for (fvPatchScalarField& pp : p.boundaryFieldRef())
+    {
+        // The flux there is that of U as it is, so p has no gradient
+        if (isA<fixedFluxPressureFvPatchScalarField>(pp))
+        {
+            refCast<fixedFluxPressureFvPatchScalarField>(pp).updateSnGrad
+            (
+                scalarField(pp.size(), Zero)
+            );
+        }
+    }
+    p.correctBoundaryConditions();
+
+    const surfaceVectorField pressureForce(this->pressureForce(p));
+    const surfaceVectorField normalGradient(fvc::snGrad(U));
+
+    const surfaceVectorField force
+    (
+        faceViscosity_*mesh_.magSf()
+       *(normalGradient + transposedGradient(U, normalGradient))
+      - pressureForce
+    );
+
+    const scalarField& V = mesh_.V();
+
+    // surfaceIntegrate adds to what is there, and divides by the volume
+    r.momentum = Zero;
+    fvc::surfaceIntegrate(r.momentum, force);
+    r.momentum = V*(r.momentum + g_);
+
+    phi = flux(U, p, pressureForce);
 
     r.continuity = Zero;
     fvc::surfaceIntegrate(r.continuity, phi);
@@ -256,6 +293,25 @@ Foam::scalar Foam::StokesSystem::product
         sum +=
             (a.momentum[i] & b.momentum[i])*mobility_[i]/V[i]
           + a.continuity[i]*b.continuity[i]*nu_[i]/V[i];
+    }
+
+    return returnReduce(sum, sumOp<scalar>());
+}
+
+
+Foam::scalar Foam::StokesSystem::stepLength(const flowState& step) const
+{
+    const scalarField& V = mesh_.V();
+    scalar sum = 0;
+
+    forAll(V, i)
+    {
+        sum +=
+            V[i]
+           *(
+                magSqr(step.momentum[i])/mobility_[i]
+              + sqr(step.continuity[i])/nu_[i]
+            );
     }
 
     return returnReduce(sum, sumOp<scalar>());
