@@ -211,7 +211,7 @@ Foam::instant Foam::completeTimes::start(const dictionary& controlDict) const
                 << "that was interrupted while it wrote:" << nl
                 << skipped.c_str() << nl
                 << "(uniform/incomplete is there, or they are not on every "
-                << "processor)" << nl
+                << "processor.) Remove them to start anew" << nl
                 << exit(FatalIOError);
         }
 

@@ -251,6 +251,16 @@ void Foam::restartableTime::purge() const
 }
 
 
+Foam::fileName Foam::restartableTime::firstBroken() const
+{
+    return wholeFiles::firstBroken
+    (
+        timePath(),
+        incompleteMarker::path(timePath())
+    );
+}
+
+
 void Foam::restartableTime::refuse(const string& reason) const
 {
     FatalErrorInFunction
@@ -306,7 +316,13 @@ bool Foam::restartableTime::writeObjects(const bool valid) const
         FatalIOError.throwExceptions(throwing);
 
         // Not with the other ranks, which may be elsewhere; they are stopped
-        refuse(string(err.message()));
+        const fileName broken(firstBroken());
+        refuse
+        (
+            broken.empty()
+          ? string(err.message())
+          : string(broken + " is not whole")
+        );
     }
     return false;
 }
@@ -349,7 +365,7 @@ bool Foam::restartableTime::write(const bool valid) const
     );
 
     const bool written = writeObjects(valid);
-    const fileName broken(wholeFiles::firstBroken(directory, marker));
+    const fileName broken(firstBroken());
 
     refuseIfAny
     (
