@@ -104,6 +104,9 @@ TEST(checkWords, findsTheNearestWordOfEachTypingError)
         EXPECT_EQ(colloid::nearestWord(wrong, words), word("density"));
     }
 
+    // Two swapped letters are nearer than two replaced ones
+    EXPECT_EQ(colloid::nearestWord("abdc", wordList({"abxy", "abcd"})), "abcd");
+
     EXPECT_EQ(colloid::nearestWord("kozeny", wordList({"Kozeny"})), "Kozeny");
 }
 

@@ -118,10 +118,16 @@ TEST(scales, rangeIsWhatWasComputedForIt)
 }
 
 
-// Also where the net force passes through zero and returns as attraction
+// At c = 2 the net force passes through zero at 1.02 spacings and comes back
+// as an attraction of 0.8 of it at 1.12
 TEST(scales, nothingBeyondTheRangeExceedsTheTolerance)
 {
-    for (const scalar c : {1e-3, 0.1, 1.0, 30.0})
+    const scalar cases[][2] =
+    {
+        {1e-3, 1e-3}, {0.1, 1e-3}, {1, 1e-3}, {2, 0.1}, {30, 1e-3}
+    };
+
+    for (const auto& [c, tolerance] : cases)
     {
         const platelet clay;
         water solution;
@@ -132,8 +138,9 @@ TEST(scales, nothingBeyondTheRangeExceedsTheTolerance)
 
         const scales s = scalesOf(c);
         const scalar spacing = s.spacing(0.01);
-        const scalar range = s.rangeInSpacings(1e-3, 0.01);
-        const scalar small = 1e-3*mag(pair.force(spacing - clay.thickness));
+        const scalar range = s.rangeInSpacings(tolerance, 0.01);
+        const scalar small =
+            tolerance*mag(pair.force(spacing - clay.thickness));
 
         for (scalar r = range*1.0001; r < 500; r *= 1.01)
         {
