@@ -173,6 +173,39 @@ TEST(absorption, takesAPlateletOutWhereItCrosses)
 }
 
 
+TEST(absorption, takesPlaceAtTheFirstOfTwoBoundaries)
+{
+    const box space;
+    for (const bool reversed : {false, true})
+    {
+        boundarySurface sheets;
+        for (const int patch : {1, 2})
+        {
+            const double x = reversed ? 0.1*patch : 0.3 - 0.1*patch;
+            addSheet
+            (
+                sheets, vector(x, -5, -5), vector(0, 0, 10), vector(0, 10, 0),
+                action::absorb, 1, patch
+            );
+        }
+        engine system
+        (
+            space, sheets, std::make_shared<noForce>(), settings(0.5),
+            MPI_COMM_WORLD
+        );
+        system.load(one(vector(0, 0, 0), vector(1, 0.1, 0)));
+        system.advance(0.5);
+
+        if (myRank() == nRanks() - 1)
+        {
+            ASSERT_EQ(system.departures().size(), 1u);
+            EXPECT_EQ(system.departures()[0].patch, reversed ? 1 : 2);
+            EXPECT_NEAR(system.departures()[0].position[0], 0.1, 1e-15);
+        }
+    }
+}
+
+
 TEST(absorption, losesNone)
 {
     // A crowd that bursts: what came in is inside or has left, and what is

@@ -186,6 +186,33 @@ TEST(steps, areHalfTheIntegratorsLimit)
 }
 
 
+TEST(steps, growAsTheForcesSoften)
+{
+    // Two that repel: the rate of decay 2*3*exp(-3 r) falls by 20 in this time
+    auto chosen = settings("AdamsBashforth2", 0);
+    chosen.cutOff = 4;
+    engine system
+    (
+        openSpace, {}, std::make_shared<repulsion>(), chosen, MPI_COMM_WORLD
+    );
+    system.load(row({0, 0.5}));
+
+    const double first = system.stableDeltaT();
+    system.advance(14);
+
+    // Steps of half of 1/rate would be 2 ln(20) in all. More, as a step serves
+    // until the platelets have come a fortieth of the cut-off
+    EXPECT_GE(system.counters().steps, 5);
+    EXPECT_LT(system.counters().steps, 0.3*14/first);
+
+    // Few steps, half the limit of stability each
+    EXPECT_NEAR
+    (
+        place(system, 1) - place(system, 0), exactDistance(0.5, 14), 0.03
+    );
+}
+
+
 TEST(steps, areEqualAndEndOnTheDuration)
 {
     engine system

@@ -132,3 +132,25 @@ TEST(stiffness, isExactBetweenHeldPlatelets)
         1e-13
     );
 }
+
+
+TEST(stiffness, countsWhatAttractionHoldsSideways)
+{
+    // Attracted from either side along x, more weakly the nearer: along x that
+    // does not hold, across it does, each with -F/r
+    platelets all;
+    all.append(0, vector(0, 0, 0));
+    all.append(1, vector(1.7, 0, 0));
+    all.append(2, vector(-1.7, 0, 0));
+    all.fixed = {0, 1, 1};
+
+    auto chosen = settings();
+    chosen.cutOff = 3;
+    const auto law = std::make_shared<mixedForce>();
+    ASSERT_GT(law->slope(1.6), 0);
+
+    engine system(box(), {}, law, chosen, MPI_COMM_WORLD);
+    system.load(share(all, sharing::dealt));
+
+    EXPECT_NEAR(system.stiffness(), -2*law->force(1.6)/1.7, 1e-14);
+}

@@ -24,9 +24,15 @@ engineSettings settings()
 
 
 //- The force of a plane at a distance, as of a platelet at the same gap
+double planeForceOf(const gapForce& law, double distance)
+{
+    return pairForce(law, settings(), distance + 0.05);
+}
+
+
 double planeForce(double distance)
 {
-    return pairForce(mixedForce(), settings(), distance + 0.05);
+    return planeForceOf(mixedForce(), distance);
 }
 
 
@@ -324,6 +330,141 @@ TEST(walls, ofRoundRockActFromTheNearestPoint)
         EXPECT_NEAR(force[k].norm(), expected, 0.02*expected);
         EXPECT_GT(force[k].dot(places[k].normalized()), 0.98*force[k].norm());
     }
+}
+
+
+TEST(walls, actTheSameWhileListsAreKept)
+{
+    // Carried past a rough surface within half of a large skin, against lists
+    // that are made at the same place
+    boundarySurface rough;
+    const auto at = [](int i, int j)
+    {
+        return vector(0.1*i, 0.1*j, 0.03*((7*i + 3*j) % 4));
+    };
+    for (int i = -12; i < 22; ++i)
+    {
+        for (int j = -12; j < 22; ++j)
+        {
+            rough.triangles.push_back
+            (
+                {{at(i, j), at(i + 1, j), at(i + 1, j + 1)}, action::platelet, 0}
+            );
+            rough.triangles.push_back
+            (
+                {{at(i, j), at(i + 1, j + 1), at(i, j + 1)}, action::platelet, 0}
+            );
+        }
+    }
+
+    auto chosen = settings();
+    chosen.skin = 0.6;
+    chosen.deltaT = 0.02;
+    chosen.integrator = "Euler";
+    const auto law = std::make_shared<repulsion>();
+
+    engine system(openSpace, rough, law, chosen, MPI_COMM_WORLD);
+    platelets one;
+    if (myRank() == 0)
+    {
+        one.append(0, vector(0.1, 0.2, 0.3));
+        one.tag[0] = 0;
+        one.friction[0] = 1e3;
+        one.waterVelocity[0] = vector(0.9, 0.4, 0);
+    }
+    system.load(one);
+
+    for (int step = 0; step < 14; ++step)
+    {
+        system.advance(0.02);
+        system.evaluate();
+        const vector kept(gather(system.local(), system.local().force, 1)[0]);
+        EXPECT_EQ(system.counters().rebuilds, 1);
+
+        const vector place
+        (
+            gather(system.local(), system.local().position, 1)[0]
+        );
+        const vector made
+        (
+            wallForcesAt({place}, openSpace, rough, *law, settings())[0]
+        );
+        EXPECT_LT((kept - made).norm(), 1e-14) << step;
+    }
+}
+
+
+TEST(walls, ofSharpRockPushOutwardsEverywhere)
+{
+    // A thin spike of four sides, one of them in slivers at the tip, all one
+    // region: the normals of single faces mislead about the side at the tip
+    const vector tip(0, 0, 1);
+    const std::vector<vector> foot
+    {
+        vector(0.1, 0, 0), vector(-0.05, 0.09, 0), vector(-0.05, -0.09, 0)
+    };
+
+    boundarySurface spike;
+    spike.featureAngle = 179.9;
+    const auto add = [&](const vector& a, const vector& b, const vector& c)
+    {
+        spike.triangles.push_back({{a, b, c}, action::platelet, 0});
+    };
+    add(foot[1], foot[0], foot[2]);
+    add(foot[1], foot[2], tip);
+    add(foot[2], foot[0], tip);
+    for (int k = 0; k < 16; ++k)
+    {
+        add
+        (
+            foot[0] + (foot[1] - foot[0])*k/16,
+            foot[0] + (foot[1] - foot[0])*(k + 1)/16,
+            tip
+        );
+    }
+
+    // Round the tip and along the spike, outside by all means
+    std::vector<vector> places;
+    for (int k = 0; k < 200; ++k)
+    {
+        const double around = 2.4*k;
+        const double up = std::cos(0.05 + 0.0075*k);
+        places.push_back
+        (
+            tip
+          + 0.3
+           *vector
+            (
+                std::sqrt(1 - up*up)*std::cos(around),
+                std::sqrt(1 - up*up)*std::sin(around),
+                up
+            )
+        );
+    }
+
+    const auto force =
+        wallForcesAt(places, openSpace, spike, repulsion(), settings());
+
+    for (std::size_t k = 0; k < places.size(); ++k)
+    {
+        // The nearest point is the tip or close to it
+        EXPECT_GT
+        (
+            force[k].dot((places[k] - tip).normalized()), 0.9*force[k].norm()
+        );
+        EXPECT_GT(force[k].norm(), 0.9*planeForceOf(repulsion(), 0.3)) << k;
+        EXPECT_LT(force[k].norm(), 1.2*planeForceOf(repulsion(), 0.3)) << k;
+    }
+
+    // Within, out by the nearest side
+    const auto inside = wallForcesAt
+    (
+        {vector(0, 0, 0.9), vector(1e-4, 2e-4, 0.98)},
+        openSpace, spike, repulsion(), settings()
+    );
+    EXPECT_LT(std::abs(inside[0][2]), 0.2*inside[0].norm());
+    EXPECT_GT(inside[0].norm(), planeForceOf(repulsion(), 0));
+    EXPECT_GT(inside[1].norm(), planeForceOf(repulsion(), 0));
 }
 
 

@@ -195,7 +195,6 @@ void engine::implementation::load(platelets&& loaded)
     problem_.clear();
     departures_.clear();
 
-    near_.wrap(local_);
     listsExpire();
 }
 
