@@ -114,7 +114,7 @@ axes.Representation = 'Outline'
 axes.AmbientColor = axes.DiffuseColor = [0.4, 0.4, 0.4]
 axes.ColorArrayName = [None, '']
 axes.DataAxesGrid.GridAxesVisibility = 1
-axes.DataAxesGrid.XTitle, axes.DataAxesGrid.YTitle, axes.DataAxesGrid.ZTitle = 'x [m]', 'y [m]', ''
+axes.DataAxesGrid.XTitle, axes.DataAxesGrid.YTitle, axes.DataAxesGrid.ZTitle = 'x [m], vertical y [m]', '', ''
 for title in ('X', 'Y', 'Z'):
     setattr(axes.DataAxesGrid, title + 'LabelColor', [0, 0, 0])
     setattr(axes.DataAxesGrid, title + 'TitleColor', [0, 0, 0])
