@@ -6,7 +6,7 @@ Description
     Net forces against a plain double sum, on any number of ranks.
 \*---------------------------------------------------------------------------*/
 
-#include "testSystems.H"
+#include "testSurfaces.H"
 
 #include <gtest/gtest.h>
 
@@ -112,4 +112,69 @@ TEST(netForce, isTheDoubleSumWhereOneAxisIsPeriodic)
         ),
         1e-12
     );
+}
+
+
+TEST(netForce, isTheDoubleSumBetweenWalls)
+{
+    // A periodic slit and a pore that is open along x, the walls in 98 parts
+    const platelets all(scatter(300, vector(3, 3, 2)));
+
+    for (const bool pore : {false, true})
+    {
+        const box space(cube(3, !pore, !pore, false));
+        const vector x(3, 0, 0);
+        const vector y(0, 3, 0);
+        const vector z(0, 0, 2);
+
+        boundarySurface walls;
+        addSheet(walls, vector(0, 0, 0), x, y, action::platelet, 7);
+        addSheet(walls, z, y, x, action::platelet, 7);
+        if (pore)
+        {
+            addSheet(walls, vector(0, 0, 0), z, x, action::platelet, 7);
+            addSheet(walls, y, x, z, action::platelet, 7);
+        }
+
+        const engineSettings settings(exactSettings());
+        const mixedForce law;
+
+        // A wall at a distance acts as a platelet at the same gap
+        std::vector<vector> expected(doubleSum(all, space, law, settings));
+        const auto push = [&](double distance)
+        {
+            return
+                pairForce(law, settings, distance + settings.thickness/2);
+        };
+        for (std::size_t k = 0; k < all.size(); ++k)
+        {
+            const vector& at = all.position[k];
+            expected[k][2] += push(at[2]) - push(2 - at[2]);
+            if (pore)
+            {
+                expected[k][1] += push(at[1]) - push(3 - at[1]);
+            }
+        }
+
+        for (const sharing how : {sharing::slabs, sharing::dealt})
+        {
+            engine system
+            (
+                space, walls, std::make_shared<mixedForce>(), settings,
+                MPI_COMM_WORLD
+            );
+            system.load(share(all, how));
+            system.evaluate();
+
+            EXPECT_LT
+            (
+                largestDifference
+                (
+                    gather(system.local(), system.local().force, all.size()),
+                    expected
+                ),
+                1e-12*largest(expected)
+            );
+        }
+    }
 }

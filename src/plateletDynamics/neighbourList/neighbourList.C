@@ -133,6 +133,7 @@ void neighbourList::build(const kernelPoints& points, double range)
     std::vector<std::size_t> begin(points.owned);
     std::vector<std::size_t> count(points.owned);
     std::vector<int> found;
+    std::size_t end = 0;
 
     for (std::size_t c = 0; c + 1 < sorted.cells.size(); ++c)
     {
@@ -152,9 +153,11 @@ void neighbourList::build(const kernelPoints& points, double range)
             }
 
             const vector x(sorted.position[s]);
-            std::size_t end = found.size();
             begin[k] = end;
-            found.resize(end + most);
+            if (found.size() < end + most)
+            {
+                found.resize(2*(end + most));
+            }
 
             for (const auto& [from, to] : candidates)
             {
@@ -169,7 +172,6 @@ void neighbourList::build(const kernelPoints& points, double range)
                 }
             }
             count[k] = end - begin[k];
-            found.resize(end);
         }
     }
 

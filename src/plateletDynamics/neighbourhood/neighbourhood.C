@@ -71,7 +71,12 @@ void neighbourhood::setRange(double cutOff, double wallCutOff, double skin)
         skin_ = std::min(skin_, period - cutOff);
     }
 
-    walls_ = std::make_unique<wallRegions>(limits_, space_, cutOff_ + skin_);
+    // Walls that reach farther than need be are right too
+    if (!walls_ || cutOff_ + skin_ > wallsReach_)
+    {
+        wallsReach_ = cutOff_ + skin_;
+        walls_ = std::make_unique<wallRegions>(limits_, space_, wallsReach_);
+    }
     expire();
 }
 
@@ -170,6 +175,7 @@ void neighbourhood::listWalls()
 void neighbourhood::rebuild(platelets& local, bool maySort)
 {
     const stopwatch watch(listSeconds_);
+    const double waitedBefore = halo_.seconds();
 
     wrap(local);
     if (maySort)
@@ -188,6 +194,9 @@ void neighbourhood::rebuild(platelets& local, bool maySort)
     halo_.rebuild(points_, cutOff_ + skin_);
     pairs_.build(points_, cutOff_ + skin_);
     listWalls();
+
+    // Waiting is counted apart
+    listSeconds_ -= halo_.seconds() - waitedBefore;
     expired_ = false;
 }
 
@@ -224,7 +233,10 @@ bool neighbourhood::update
         double(expired_ || 4*movedSquared > skin_*skin_),
         largestMove
     };
-    ranks_.max(decision, 3);
+    {
+        const stopwatch watch(waitSeconds_);
+        ranks_.max(decision, 3);
+    }
     largestMove = decision[2];
 
     if (decision[0] > 0)

@@ -24,9 +24,8 @@ void wallForces::list
     candidates_.clear();
     entries_.clear();
     neighbours_.clear();
-    halfSkin_ = skin/2;
 
-    const double reach = cutOff + halfSkin_;
+    const double reach = cutOff + skin/2;
     const double reachSquared = reach*reach;
 
     for (std::size_t k = 0; k < points.owned; ++k)
@@ -46,7 +45,7 @@ void wallForces::list
                  == boundarySurface::action::platelet
                 )
                 {
-                    listRegion(walls, region, x, reach);
+                    listRegion(walls, region, x, reach, skin);
                 }
             }
         );
@@ -62,7 +61,7 @@ void wallForces::list
                     return a.region < b.region;
                 }
             );
-            neighbours_.push_back({int(k), begin, entries_.size()});
+            neighbours_.push_back({int(k), x, begin, entries_.size()});
         }
     }
 }
@@ -73,7 +72,8 @@ void wallForces::listRegion
     const wallRegions& walls,
     int region,
     const vector& x,
-    double reach
+    double reach,
+    double skin
 )
 {
     const wallRegions::region& r = walls.regions()[region];
@@ -101,7 +101,7 @@ void wallForces::listRegion
     }
 
     // What may become the nearest while the platelet moves half a skin
-    const double farthest = std::sqrt(nearest) + 2*halfSkin_;
+    const double farthest = std::sqrt(nearest) + skin;
     const std::size_t begin = candidates_.size();
     const double farthestSquared = farthest*farthest;
 
@@ -137,31 +137,37 @@ wallRegions::foot wallForces::nearest
 (
     const wallRegions& walls,
     const entry& where,
-    const vector& x
+    const vector& x,
+    double moved
 ) const
 {
+    const bool planar = walls.regions()[where.region].planar;
     wallRegions::foot best{};
-    double bestSquared = 0;
-    double best1 = 0;
+    double bestDistance = 0;
 
     for (std::size_t c = where.begin; c < where.end; ++c)
     {
         const bool first = c == where.begin;
 
-        // Nearest first: what was farther by more than the platelet can have
-        // moved is still farther
-        if (!first && candidates_[c].distance - halfSkin_ > best1)
+        // What was farther away is still farther, less the way moved
+        if (!first && candidates_[c].distance - moved > bestDistance)
         {
             break;
         }
-        const auto foot = walls.nearest(candidates_[c].triangle, x);
-        const double squared = (foot.point - x).squaredNorm();
 
-        if (first || squared < bestSquared)
+        const auto foot = walls.nearest(candidates_[c].triangle, x);
+        const double distance = (foot.point - x).norm();
+
+        if (first || distance < bestDistance)
         {
             best = foot;
-            bestSquared = squared;
-            best1 = std::sqrt(squared);
+            bestDistance = distance;
+
+            // No part of a plane is nearer than the perpendicular's foot
+            if (planar && foot.within)
+            {
+                break;
+            }
         }
     }
     return best;
@@ -179,10 +185,13 @@ void wallForces::pulls
     // Equally near but for rounding
     constexpr double tie = 1 + 1e-9;
 
+    // A little more than it has moved, against rounding
+    const double moved = (1 + 1e-9)*(x - near.listed).norm() + 1e-300;
+
     all.clear();
     for (std::size_t e = near.begin; e < near.end; ++e)
     {
-        const auto foot = nearest(walls, entries_[e], x);
+        const auto foot = nearest(walls, entries_[e], x, moved);
         const vector away(x - foot.point);
 
         all.push_back

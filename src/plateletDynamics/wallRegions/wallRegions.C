@@ -188,7 +188,7 @@ wallRegions::foot wallRegions::nearest(int number, const vector& x) const
 
     if (foot.feature == surfaceTriangle::foot::face)
     {
-        return {foot.point, t.normal, false, true};
+        return {foot.point, t.normal, true, false, true};
     }
 
     const bool rim = t.rim[foot.feature];
@@ -196,6 +196,7 @@ wallRegions::foot wallRegions::nearest(int number, const vector& x) const
     {
         foot.point,
         outward_[t.outward[foot.feature]],
+        false,
         rim,
         !rim && regions_[t.region].planar
     };
