@@ -46,7 +46,7 @@ const Foam::volScalarField& Foam::viscosityModels::LiuCoVolume::alpha()
 {
     const Time& time = U_.time();
 
-    if (!alpha_)
+    if (!alpha_ && !ownAlpha_.valid())
     {
         alpha_ = U_.db().findObject<volScalarField>(alphaName);
     }
@@ -56,26 +56,30 @@ const Foam::volScalarField& Foam::viscosityModels::LiuCoVolume::alpha()
         return *alpha_;
     }
 
-    IOobject io
-    (
-        alphaName,
-        time.timeName(),
-        U_.db(),
-        IOobject::MUST_READ,
-        IOobject::AUTO_WRITE
-    );
+    const auto io = [&](const bool registered)
+    {
+        return IOobject
+        (
+            alphaName,
+            time.timeName(),
+            U_.db(),
+            IOobject::MUST_READ,
+            IOobject::AUTO_WRITE,
+            registered
+        );
+    };
 
     if (!ownAlpha_.valid())
     {
-        ownAlpha_.reset(new volScalarField(io, U_.mesh()));
+        ownAlpha_.reset(new volScalarField(io(true), U_.mesh()));
     }
     else if (alphaTimeIndex_ != time.timeIndex())
     {
-        io.registerObject() = false;
+        IOobject later(io(false));
 
-        if (io.typeHeaderOk<volScalarField>(true))
+        if (later.typeHeaderOk<volScalarField>(true))
         {
-            *ownAlpha_ == volScalarField(io, U_.mesh());
+            *ownAlpha_ == volScalarField(later, U_.mesh());
         }
     }
     alphaTimeIndex_ = time.timeIndex();
@@ -233,7 +237,12 @@ void Foam::viscosityModels::LiuCoVolume::correct()
     {
         const fvPatchScalarField& alphaPatch = alpha.boundaryField()[patchi];
 
-        if (alphaPatch.fixesValue())
+        // A calculated value is left to whoever made the field, who need not
+        if
+        (
+            alphaPatch.fixesValue()
+         && !isA<calculatedFvPatchScalarField>(alphaPatch)
+        )
         {
             evaluate(nuBoundary[patchi], alphaPatch);
         }

@@ -9,6 +9,7 @@
 #include "StokesSystem.H"
 #include "LiuCoVolume.H"
 #include "checkWords.H"
+#include "readInRange.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -67,9 +68,12 @@ void Foam::fractureFlows::StokesFlow::readControls()
         })
     );
 
-    residual_ = controls.getOrDefault<scalar>("residual", 1e-8);
-    maxIterations_ = controls.getOrDefault<label>("maxIterations", 500);
-    nDirections_ = controls.getOrDefault<label>("directions", 30);
+    residual_ =
+        colloid::readInRange(controls, "residual", 1e-8, 1e-14, 1, "(-)");
+    maxIterations_ =
+        colloid::readInRange(controls, "maxIterations", 500, 1, 1e6, "(-)");
+    nDirections_ =
+        colloid::readInRange(controls, "directions", 30, 1, 1000, "(-)");
 
     const word notConverged
     (
@@ -115,6 +119,40 @@ void Foam::fractureFlows::StokesFlow::checkBoundaryConditions() const
                 << " by velocity, and wall: zeroGradient for p"
                 << exit(FatalError);
         }
+    }
+}
+
+
+void Foam::fractureFlows::StokesFlow::checkInflow() const
+{
+    if (!p_.needReference())
+    {
+        return;
+    }
+
+    scalar net = 0;
+    scalar gross = 0;
+
+    for (const fvsPatchScalarField& phip : phi().boundaryField())
+    {
+        if (!phip.coupled())
+        {
+            net += sum(phip);
+            gross += sumMag(phip);
+        }
+    }
+    reduce(net, sumOp<scalar>());
+    reduce(gross, sumOp<scalar>());
+
+    if (mag(net) > residual_*gross)
+    {
+        FatalErrorInFunction
+            << "U is given on all patches, and " << net/gross
+            << " of what passes them is left over" << nl
+            << "Give p on an outlet (fixedValue, and zeroGradient for U), or"
+            << " velocities that balance to Stokes { residual " << residual_
+            << "; }"
+            << exit(FatalError);
     }
 }
 
@@ -178,6 +216,8 @@ Foam::scalar Foam::fractureFlows::StokesFlow::drivingResidual
 
     flowState r(mesh().nCells());
     system.residual(URef(), p_, phiRef(), r);
+
+    checkInflow();
 
     URef().primitiveFieldRef() = U0;
     p_.primitiveFieldRef() = p0;
