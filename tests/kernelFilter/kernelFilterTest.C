@@ -557,15 +557,15 @@ TEST(kernelFilter, doesNotDependOnTheOrderOfPlatelets)
 
 TEST(kernelFilter, errorOnFineMeshesIsSmall)
 {
-    // A kernel over 18 cells, in aggregates of about 3.6. Platelets three to
-    // a kernel's length; a velocity that varies over two lengths
+    // A kernel over 14 cells, in aggregates of about 2.8. Platelets two to a
+    // kernel's length; a velocity that varies over two lengths
     boxSettings settings;
-    settings.n = {{36, 36, 36}};
-    settings.size = 360*nm*vector::one;
+    settings.n = {{28, 28, 28}};
+    settings.size = 280*nm*vector::one;
     settings.periodic = {{true, true, true}};
-    scene s(settings, 216);
+    scene s(settings, 100);
 
-    const scalar wave = constant::mathematical::twoPi/(360*nm);
+    const scalar wave = constant::mathematical::twoPi/(280*nm);
     for (plainPlatelet& platelet : s.all)
     {
         platelet.velocity =
@@ -576,7 +576,7 @@ TEST(kernelFilter, errorOnFineMeshesIsSmall)
         s.velocities[k] = vector(1, 0, 0)*std::sin(wave*s.positions[k].y());
     }
 
-    kernelFilter filter(s.box.mesh(), 180*nm, 0);
+    kernelFilter filter(s.box.mesh(), 140*nm, 0);
     s.update(filter);
     const plainFields exact(s.plain(filter, 0));
 

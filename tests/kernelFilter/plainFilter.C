@@ -133,7 +133,7 @@ plainFields plainFilter
     for (int axis = 0; axis < 3; ++axis)
     {
         images[axis] =
-            periods[axis] > 0 ? label(length/periods[axis]) + 2 : 0;
+            periods[axis] > 0 ? label(length/periods[axis]) + 1 : 0;
     }
 
     for (const plainPlatelet& platelet : platelets)

@@ -364,7 +364,8 @@ bool Foam::restartableTime::write(const bool valid) const
       : string("can't create " + marker)
     );
 
-    const bool written = writeObjects(valid);
+    // Together, since with masterUncollated one rank writes for all
+    const bool written = returnReduce(writeObjects(valid), andOp<bool>());
     const fileName broken(firstBroken());
 
     refuseIfAny
