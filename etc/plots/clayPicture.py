@@ -78,6 +78,7 @@ if speed > 0:
     shown.ColorArrayName = [None, '']
     shown.AmbientColor = shown.DiffuseColor = [0.1, 0.35, 0.75]
     shown.LineWidth = 1.5
+    shown.Position = [0, 0, 0.02*(high_z - low_z)]     # in front of the plane
 
 # Platelets, coloured by speed
 spheres = Glyph(Input=clay, GlyphType='Sphere')

@@ -4,16 +4,13 @@
 \*---------------------------------------------------------------------------*/
 
 #include "clayCloud.H"
-
+#include "asFatalError.H"
 #include "costReport.H"
-#include "fvcGrad.H"
 #include "fvMesh.H"
 #include "Pstream.H"
 #include "uniformDimensionedFields.H"
 #include "waterLimits.H"
 #include "zeroGradientFvPatchFields.H"
-
-#include <algorithm>
 
 namespace
 {
@@ -61,22 +58,6 @@ GeoField cloudField
         dimensioned<typename GeoField::value_type>(dimensions, Zero),
         zeroGradientFvPatchField<typename GeoField::value_type>::typeName
     );
-}
-
-
-//- What the engine tells the user ends the run as OpenFOAM's errors do
-template<class Action>
-auto asFatalError(Action action) -> decltype(action())
-{
-    try
-    {
-        return action();
-    }
-    catch (const plateletDynamics::userError& error)
-    {
-        FatalErrorInFunction << error.what() << exit(FatalError);
-        throw;
-    }
 }
 
 } // End anonymous namespace
@@ -193,175 +174,6 @@ void Foam::clayCloud::load()
     }
 
     asFatalError([&]{ engine_->load(std::move(loaded)); });
-}
-
-
-void Foam::clayCloud::sampleWater(const volVectorField& Uwater)
-{
-    const reducedUnits& units = interactions_.units();
-    plateletDynamics::platelets& local = engine_->local();
-
-    // Linear in each cell: other than the interpolation through the points of
-    // the mesh, this is the same on any number of ranks
-    const tmp<volTensorField> gradU(fvc::grad(Uwater));
-    const tmp<volVectorField> gradAlpha(fvc::grad(alpha_));
-    const volVectorField& centres = mesh_.C();
-
-    for (std::size_t i = 0; i < local.size(); ++i)
-    {
-        const clayPlatelet& platelet = *platelets_[local.tag[i]];
-        const label celli = platelet.cell();
-        const vector fromCentre(platelet.position() - centres[celli]);
-
-        if (interactions_.drag())
-        {
-            local.waterVelocity[i] = reduced
-            (
-                Uwater[celli] + (fromCentre & gradU()[celli]),
-                units.velocity()
-            );
-        }
-
-        scalar alpha = 0;
-        if (interactions_.frictionIsLocal())
-        {
-            alpha = alpha_[celli] + (fromCentre & gradAlpha()[celli]);
-            alpha = min(max(alpha, scalar(0)), scalar(0.99));
-        }
-        local.friction[i] = interactions_.friction(alpha)/units.friction();
-    }
-}
-
-
-void Foam::clayCloud::takeBack()
-{
-    const reducedUnits& units = interactions_.units();
-    const plateletDynamics::platelets& local = engine_->local();
-
-    for (std::size_t i = 0; i < local.size(); ++i)
-    {
-        clayPlatelet& platelet = *platelets_[local.tag[i]];
-        clayPlatelet::properties& state = platelet.state();
-
-        const point x(inSI(local.position[i], units.length()));
-        const vector lag(axes_.nearestImage(state.x - platelet.position()));
-        vector way(x - state.x);
-
-        for (direction axis = 0; axis < 3; ++axis)
-        {
-            if (axes_.periodic(axis))
-            {
-                way[axis] += axes_.period(axis)*local.crossings[i][axis];
-            }
-        }
-
-        state.displacement = way + lag;
-        state.x = x;
-        state.U = inSI(local.velocity[i], units.velocity());
-        state.F = inSI(local.force[i], units.force());
-        state.previousVelocity =
-            inSI(local.previousVelocity[i], units.velocity());
-        state.previousStep = local.previousStep[i]*units.time();
-    }
-    engine_->clearCrossings();
-
-    HashTable<label> left;
-    for (const plateletDynamics::departure& gone : engine_->departures())
-    {
-        ++left(mesh_.boundaryMesh()[gone.patch].name(), 0);
-        deleteParticle(*platelets_[gone.tag]);
-        platelets_[gone.tag] = nullptr;
-    }
-
-    for (const polyPatch& patch : mesh_.boundaryMesh())
-    {
-        const label number =
-            returnReduce(left.lookup(patch.name(), 0), sumOp<label>());
-
-        if (number && !patch.coupled())
-        {
-            state_.left(patch.name(), 0) += number;
-        }
-    }
-}
-
-
-void Foam::clayCloud::follow()
-{
-    transferred_ = 0;
-    clayPlatelet::trackingData tracking(*this);
-    Cloud<clayPlatelet>::move(*this, tracking, 1);
-
-    // Where the mesh ends but the engine's walls did not hold
-    const scalar tolerance = 0.01*state_.spacing;
-
-    for (const clayPlatelet& platelet : *this)
-    {
-        if (platelet.onBoundaryFace())
-        {
-            const scalar beyond =
-                mag(platelet.state().x - platelet.position());
-
-            if (beyond > tolerance && !mesh_.boundaryMesh()[platelet.patch()].coupled())
-            {
-                FatalErrorInFunction
-                    << "Platelet " << platelet.state().id << " at "
-                    << platelet.state().x << " m is " << beyond
-                    << " m outside the mesh, beyond patch "
-                    << mesh_.boundaryMesh()[platelet.patch()].name() << "." << nl
-                    << "    Reduce engineDeltaT in clayCloudProperties"
-                    << exit(FatalError);
-            }
-        }
-    }
-
-    const label changes = transferred_ + label(engine_->departures().size());
-
-    if (returnReduce(changes, sumOp<label>()))
-    {
-        load();
-    }
-}
-
-
-void Foam::clayCloud::move(const volVectorField& Uwater, const scalar deltaT)
-{
-    const reducedUnits& units = interactions_.units();
-    const scalar now = mesh_.time().value();
-
-    if (matter_.concentrationVaries())
-    {
-        asFatalError
-        (
-            [&]
-            {
-                engine_->changeForce
-                (
-                    interactions_.force(now),
-                    interactions_.settings().cutOff
-                );
-            }
-        );
-    }
-
-    labelList idsBefore(size());
-    std::copy
-    (
-        engine_->local().id.begin(), engine_->local().id.end(),
-        idsBefore.begin()
-    );
-
-    sampleWater(Uwater);
-    asFatalError([&]{ engine_->advance(deltaT/units.time()); });
-    takeBack();
-    follow();
-    checkCount(idsBefore);
-
-    // A restart sorts and lists anew: so does the run that goes on
-    if (mesh_.time().writeTime())
-    {
-        engine_->listsExpire();
-    }
 }
 
 
