@@ -34,7 +34,8 @@ void Foam::fractureFlows::localViscosityFlow::checkDivergence()
     const scalar relative =
         gMax(mag(outflow*mesh().V()))/max(largestFlux, VSMALL);
 
-    if (divergence > maxDivergence_ || maxDivergence_ < 0)
+    // Of the first flow, and where it becomes worse; not its round-off
+    if (divergence > 10*maxDivergence_ || maxDivergence_ < 0)
     {
         maxDivergence_ = divergence;
         Info<< "localViscosity: max |div(U)| " << divergence << " 1/s, "
