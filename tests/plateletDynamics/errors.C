@@ -304,8 +304,8 @@ TEST(systems, mayBeSpreadOverVastSpaces)
     platelets all;
     all.append(0, vector(0, 0, 0));
     all.append(1, vector(0.5, 0, 0));
-    all.append(2, vector(1e9, 1e9, 0));
-    all.append(3, vector(1e9, 1e9 + 0.5, 0));
+    all.append(2, vector(1e9, 1e9, 1e9));
+    all.append(3, vector(1e9, 1e9 + 0.5, 1e9));
     for (int k = 0; k < 4; ++k)
     {
         all.tag[k] = k;

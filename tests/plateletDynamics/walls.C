@@ -364,32 +364,34 @@ TEST(walls, actTheSameWhileListsAreKept)
     const auto law = std::make_shared<repulsion>();
 
     engine system(openSpace, rough, law, chosen, MPI_COMM_WORLD);
-    platelets one;
-    if (myRank() == 0)
-    {
-        one.append(0, vector(0.1, 0.2, 0.3));
-        one.tag[0] = 0;
-        one.friction[0] = 1e3;
-        one.waterVelocity[0] = vector(0.9, 0.4, 0);
-    }
-    system.load(one);
 
-    for (int step = 0; step < 14; ++step)
+    for (const vector& start : scatter(8, vector(0.3, 0.3, 0.2)).position)
     {
-        system.advance(0.02);
+        platelets one;
+        if (myRank() == 0)
+        {
+            one.append(0, start + vector(0, 0, 0.1));
+            one.tag[0] = 0;
+            one.friction[0] = 1e3;
+            one.waterVelocity[0] = vector(0.9, 0.4, 0);
+        }
+        system.load(one);
         system.evaluate();
-        const vector kept(gather(system.local(), system.local().force, 1)[0]);
-        EXPECT_EQ(system.counters().rebuilds, 1);
+        const std::int64_t rebuilds = system.counters().rebuilds;
 
-        const vector place
-        (
-            gather(system.local(), system.local().position, 1)[0]
-        );
-        const vector made
-        (
-            wallForcesAt({place}, openSpace, rough, *law, settings())[0]
-        );
-        EXPECT_LT((kept - made).norm(), 1e-14) << step;
+        for (int step = 0; step < 14; ++step)
+        {
+            system.advance(0.02);
+            system.evaluate();
+            EXPECT_EQ(system.counters().rebuilds, rebuilds);
+
+            const auto kept = gather(system.local(), system.local().force, 1);
+            const auto at = gather(system.local(), system.local().position, 1);
+            const auto made =
+                wallForcesAt(at, openSpace, rough, *law, settings());
+
+            EXPECT_LT((kept[0] - made[0]).norm(), 1e-14) << step;
+        }
     }
 }
 
@@ -505,4 +507,51 @@ TEST(walls, letNoForceOfPairsThrough)
     EXPECT_LT((force[1] - pair(1, 3)).norm(), 1e-14);
     EXPECT_LT((force[2] - pair(2, 0) - pair(2, 3)).norm(), 1e-14);
     EXPECT_LT((force[3] - pair(3, 1) - pair(3, 2)).norm(), 1e-14);
+}
+
+
+TEST(changeForce, isAsIfItHadBeenSoFromTheStart)
+{
+    // A rock whose image is too far away for the first cut-off
+    const box space(cube(4, true, true, false));
+    boundarySurface rock;
+    addRock
+    (
+        rock, vector(2.5, 0.5, -1), vector(2.7, 2.5, 3), action::platelet
+    );
+    const platelets all(scatter(60, vector(0.4, 4, 2)));
+
+    auto wide = settings();
+    wide.cutOff = 2;
+    const auto soft = std::make_shared<repulsion>(0.5);
+
+    engine fresh(space, rock, soft, wide, MPI_COMM_WORLD);
+    fresh.load(share(all));
+    fresh.advance(0.2);
+
+    engine changed
+    (
+        space, rock, std::make_shared<repulsion>(), settings(), MPI_COMM_WORLD
+    );
+    changed.load(share(all));
+    changed.evaluate();
+    const auto before = gather(changed.local(), changed.local().force, 60);
+
+    changed.changeForce(soft, 2);
+    changed.advance(0.2);
+
+    EXPECT_EQ(fresh.skin(), changed.skin());
+    const auto expected = gather(fresh.local(), fresh.local().position, 60);
+    const auto found = gather(changed.local(), changed.local().position, 60);
+    EXPECT_EQ(largestDifference(expected, found), 0);
+    EXPECT_GT
+    (
+        largestDifference
+        (
+            before, gather(changed.local(), changed.local().force, 60)
+        ),
+        0.1
+    );
+
+    EXPECT_THROW(changed.changeForce(soft, 2.01), userError);
 }
