@@ -333,37 +333,37 @@ TEST(restartableTime, continuesStepsToTheLastBit)
 }
 
 
-TEST(restartableTime, keepsTheScheduleWhenContinuedBetweenWriteTimes)
+TEST(restartableTime, continuesAnywhereAsIfNeverStopped)
 {
-    const temporaryCase here;
-    {
-        restartableTime runTime(timeOf(here));
-        // As function objects and signals do
-        run(runTime, [](restartableTime& t)
+    const temporaryCase whole;
+    restartableTime inOne(timeOf(whole));
+    const std::vector<step> steps(run(inOne));
+
+    // Stopped between write times, as function objects and signals do. The
+    // directory's name has not all digits of the time
+    const temporaryCase parted;
+    restartableTime first(timeOf(parted));
+    const std::vector<step> before
+    (
+        run(first, [](restartableTime& t)
         {
             if (t.timeIndex() == 8)
             {
                 t.writeAndEnd();
             }
-        });
-        EXPECT_GT(runTime.value(), 0.55);
-        EXPECT_LT(runTime.value(), 0.95);
-    }
+        })
+    );
+    ASSERT_EQ(before.size(), 8u);
+    ASSERT_FALSE(steps[7].written);
 
-    restartableTime runTime(timeOf(here));
-    EXPECT_GT(runTime.value(), 0.55);
-    std::vector<scalar> written;
-    for (const step& s : run(runTime))
+    restartableTime second(timeOf(parted));
+    const std::vector<step> after(run(second));
+
+    ASSERT_EQ(after.size() + 8, steps.size());
+    for (std::size_t i = 0; i < after.size(); ++i)
     {
-        if (s.written)
-        {
-            written.push_back(s.value);
-        }
+        EXPECT_TRUE(after[i] == steps[i + 8]) << "step " << i + 8;
     }
-
-    ASSERT_EQ(written.size(), 3u);
-    EXPECT_NEAR(written[0], 1, 1e-12);
-    EXPECT_NEAR(written[2], 2, 1e-12);
 }
 
 
@@ -463,6 +463,43 @@ TEST(restartableTime, heedsChangesOfControlDict)
         EXPECT_NEAR(runTime.value(), 1.5, 0.1);
         EXPECT_FALSE(here.has("0.5"));
         EXPECT_FALSE(here.has("1"));
+    }
+
+    // Nor does a changed purgeWrite purge the last complete time
+    here.control("runTimeModifiable yes; endTime 3;");
+    {
+        restartableTime runTime(timeOf(here));
+        witness object(runTime);
+        witness other(runTime, "other");
+        const auto cut = [&](Ostream&)
+        {
+            if (runTime.value() > 2.9)
+            {
+                cutFiles(runTime.timePath());
+            }
+        };
+        object.whileWriting = cut;
+        other.whileWriting = cut;
+
+        const std::string message
+        (
+            messageOf([&]
+            {
+                run(runTime, [&](restartableTime& t)
+                {
+                    if (t.value() < 1.8)
+                    {
+                        here.control
+                        (
+                            "runTimeModifiable yes; endTime 3; purgeWrite 1;"
+                        );
+                    }
+                });
+            })
+        );
+        EXPECT_NE(message.find("is not whole"), std::string::npos) << message;
+        EXPECT_FALSE(here.has("2"));
+        EXPECT_TRUE(here.has("2.5"));
     }
     regIOobject::fileModificationSkew = skew;
 }

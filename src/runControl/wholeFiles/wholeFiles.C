@@ -51,19 +51,13 @@ bool beginsAsOpenFOAM(const std::string& head)
 
 bool endsAsOpenFOAM(const std::string& tail)
 {
-    const auto last = tail.find_last_not_of(" \n\r\t");
-
-    if (last == std::string::npos || last < 5)
-    {
-        return false;
-    }
-
-    const auto line = tail.rfind("// *", last);
+    // The other dividers have fewer stars, with spaces between
+    const std::string end(std::string(40, '*') + " //");
+    const auto length = tail.find_last_not_of(" \n\r\t") + 1;
 
     return
-        line != std::string::npos
-     && tail.compare(last - 4, 5, "** //") == 0
-     && tail.find('\n', line) >= last;
+        length >= end.size()
+     && tail.compare(length - end.size(), end.size(), end) == 0;
 }
 
 
@@ -126,7 +120,7 @@ bool isWhole(const fileName& file)
     std::ifstream is(file, std::ios::binary | std::ios::ate);
     const std::streamoff size = is.tellg();
 
-    if (!is || size <= 0)
+    if (!is)
     {
         return false;
     }
