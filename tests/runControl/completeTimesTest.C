@@ -53,7 +53,11 @@ TEST(completeTimes, latestIsByNumberNotByName)
     EXPECT_EQ(startOf(here, latest), "10");
     EXPECT_EQ(startOf(here, ""), "10");
     EXPECT_EQ(startOf(here, "startFrom firstTime;"), "0");
-    EXPECT_EQ(startOf(here, "startFrom startTime; startTime 0.00001;"), "1e-05");
+    EXPECT_EQ
+    (
+        startOf(here, "startFrom startTime; startTime 0.00001;"),
+        "1e-05"
+    );
 }
 
 

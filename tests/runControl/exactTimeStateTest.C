@@ -87,7 +87,8 @@ TEST(exactTimeState, refusesMissingEntries)
 {
     EXPECT_NE
     (
-        messageOf([]{fromText("name \"1\"; value \"0x1p+0\";");}).find("deltaT"),
+        messageOf([]{fromText("name \"1\"; value \"0x1p+0\";");})
+            .find("deltaT"),
         std::string::npos
     );
 }

@@ -18,10 +18,7 @@ using namespace Foam;
 namespace
 {
 
-const std::string divider
-(
-    "// ************************************************************************* //"
-);
+const std::string divider("// " + std::string(73, '*') + " //");
 
 
 //- A file as OpenFOAM writes it, with some lines between header and end
