@@ -178,32 +178,3 @@ TEST(netForce, isTheDoubleSumBetweenWalls)
         }
     }
 }
-
-
-TEST(netForce, isTheDoubleSumAfterALongWay)
-{
-    // Two crowds that the water carries apart, several times round the box
-    const box space(cube(2.2));
-    platelets all(scatter(80, vector(2.2, 2.2, 2.2)));
-    for (std::size_t k = 0; k < all.size(); ++k)
-    {
-        all.waterVelocity[k] = (int(k % 2)*2 - 1)*vector(3, 2, -1);
-    }
-
-    engine system
-    (
-        space, {}, std::make_shared<mixedForce>(), exactSettings(),
-        MPI_COMM_WORLD
-    );
-    system.load(share(all));
-    system.advance(5);
-    system.evaluate();
-
-    const auto force = gather(system.local(), system.local().force, all.size());
-    all.position =
-        gather(system.local(), system.local().position, all.size());
-    const auto expected =
-        doubleSum(all, space, mixedForce(), exactSettings());
-
-    EXPECT_LT(largestDifference(force, expected), 1e-12*largest(expected));
-}
