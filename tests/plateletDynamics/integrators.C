@@ -190,7 +190,7 @@ TEST(steps, growAsTheForcesSoften)
 {
     // Two that repel: the rate of decay 2*3*exp(-3 r) falls by 20 in this time
     auto chosen = settings("AdamsBashforth2", 0);
-    chosen.cutOff = 4;
+    chosen.cutOff = 2;
     engine system
     (
         openSpace, {}, std::make_shared<repulsion>(), chosen, MPI_COMM_WORLD
@@ -201,7 +201,7 @@ TEST(steps, growAsTheForcesSoften)
     system.advance(14);
 
     // Steps of half of 1/rate would be 2 ln(20) in all. More, as a step serves
-    // until the platelets have come a fortieth of the cut-off
+    // until the platelets have come a small part of the cut-off
     EXPECT_GE(system.counters().steps, 5);
     EXPECT_LT(system.counters().steps, 0.3*14/first);
 

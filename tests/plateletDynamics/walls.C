@@ -338,6 +338,7 @@ TEST(walls, actTheSameWhileListsAreKept)
     // Carried past a rough surface within half of a large skin, against lists
     // that are made at the same place
     boundarySurface rough;
+    rough.featureAngle = 179;
     const auto at = [](int i, int j)
     {
         return vector(0.1*i, 0.1*j, 0.03*((7*i + 3*j) % 4));
