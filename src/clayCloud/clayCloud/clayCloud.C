@@ -51,7 +51,8 @@ GeoField cloudField
             name,
             mesh.time().timeName(),
             mesh,
-            IOobject::READ_IF_PRESENT,
+            mesh.time().timeIndex()
+          ? IOobject::MUST_READ : IOobject::READ_IF_PRESENT,
             IOobject::AUTO_WRITE
         ),
         mesh,
@@ -81,8 +82,6 @@ Foam::clayCloud::clayCloud
         properties_,
         state_,
         axes_,
-        number(),
-        mesh.time().value(),
         readGravity(mesh.time())
     ),
     filter_
@@ -110,6 +109,7 @@ Foam::clayCloud::clayCloud
 
     asFatalError
     (
+        units,
         [&]
         {
             engine_ = std::make_unique<plateletDynamics::engine>
@@ -173,7 +173,7 @@ void Foam::clayCloud::load()
         platelets_[tag++] = &platelet;
     }
 
-    asFatalError([&]{ engine_->load(std::move(loaded)); });
+    asFatalError(units, [&]{ engine_->load(std::move(loaded)); });
 }
 
 
@@ -277,7 +277,8 @@ void Foam::clayCloud::report(Ostream& os, costReport& cost) const
     cost.add("platelets: forces", counters.forceSeconds, true);
     cost.add("platelets: other ranks", counters.haloSeconds, true);
 
-    const label contacts = returnReduce(label(counters.contacts), sumOp<label>());
+    const scalar contacts =
+        returnReduce(scalar(counters.contacts), sumOp<scalar>());
 
     os  << nl << "Platelets: " << state_.entered << " entered, "
         << number() << " inside";
@@ -285,10 +286,10 @@ void Foam::clayCloud::report(Ostream& os, costReport& cost) const
     {
         os  << ", " << iter.val() << " left through " << iter.key();
     }
-    os  << nl << "Engine: " << label(counters.steps) << " steps, "
-        << label(counters.evaluations) << " evaluations of the forces, "
-        << label(counters.rebuilds) << " lists built, "
-        << contacts << " pairs in contact" << nl << endl;
+    os  << nl << "Engine: " << counters.steps << " steps, "
+        << counters.evaluations << " evaluations of the forces, "
+        << counters.rebuilds << " lists built, "
+        << contacts << " times a pair in contact" << nl << endl;
 
     cost.report(os, counters.particleSteps, mesh_.time().value() - startTime_);
 }

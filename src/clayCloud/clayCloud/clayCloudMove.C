@@ -18,8 +18,16 @@ void Foam::clayCloud::sampleWater(const volVectorField& Uwater)
 
     // Linear in each cell: other than the interpolation through the points of
     // the mesh, this is the same on any number of ranks
-    const tmp<volTensorField> gradU(fvc::grad(Uwater));
-    const tmp<volVectorField> gradAlpha(fvc::grad(alpha_));
+    const bool drag = interactions_.drag();
+    const bool localFriction = interactions_.frictionIsLocal();
+    const tmp<volTensorField> gradU
+    (
+        drag ? fvc::grad(Uwater) : tmp<volTensorField>(nullptr)
+    );
+    const tmp<volVectorField> gradAlpha
+    (
+        localFriction ? fvc::grad(alpha_) : tmp<volVectorField>(nullptr)
+    );
     const volVectorField& centres = mesh_.C();
 
     for (std::size_t i = 0; i < local.size(); ++i)
@@ -28,7 +36,7 @@ void Foam::clayCloud::sampleWater(const volVectorField& Uwater)
         const label celli = platelet.cell();
         const vector fromCentre(platelet.position() - centres[celli]);
 
-        if (interactions_.drag())
+        if (drag)
         {
             local.waterVelocity[i] = reduced
             (
@@ -38,7 +46,7 @@ void Foam::clayCloud::sampleWater(const volVectorField& Uwater)
         }
 
         scalar alpha = 0;
-        if (interactions_.frictionIsLocal())
+        if (localFriction)
         {
             alpha = alpha_[celli] + (fromCentre & gradAlpha()[celli]);
             alpha = min(max(alpha, scalar(0)), scalar(0.99));
@@ -80,22 +88,22 @@ void Foam::clayCloud::takeBack()
     }
     engine_->clearCrossings();
 
-    HashTable<label> left;
+    // Processor patches, of which ranks have different numbers, come last
+    labelList left(mesh_.boundaryMesh().nNonProcessor(), Zero);
     for (const plateletDynamics::departure& gone : engine_->departures())
     {
-        ++left(mesh_.boundaryMesh()[gone.patch].name(), 0);
+        ++left[gone.patch];
         deleteParticle(*platelets_[gone.tag]);
         platelets_[gone.tag] = nullptr;
     }
+    Pstream::listCombineGather(left, plusEqOp<label>());
+    Pstream::listCombineScatter(left);
 
-    for (const polyPatch& patch : mesh_.boundaryMesh())
+    forAll(left, patchi)
     {
-        const label number =
-            returnReduce(left.lookup(patch.name(), 0), sumOp<label>());
-
-        if (number && !patch.coupled())
+        if (left[patchi])
         {
-            state_.left(patch.name(), 0) += number;
+            state_.left(mesh_.boundaryMesh()[patchi].name(), 0) += left[patchi];
         }
     }
 }
@@ -110,24 +118,36 @@ void Foam::clayCloud::follow()
     // Where the mesh ends but the engine's walls did not hold
     const scalar tolerance = 0.01*state_.spacing;
 
-    for (const clayPlatelet& platelet : *this)
+    for (clayPlatelet& platelet : *this)
     {
-        if (platelet.onBoundaryFace())
-        {
-            const scalar beyond =
-                mag(platelet.state().x - platelet.position());
+        const point& x = platelet.state().x;
 
-            if (beyond > tolerance && !mesh_.boundaryMesh()[platelet.patch()].coupled())
-            {
-                FatalErrorInFunction
-                    << "Platelet " << platelet.state().id << " at "
-                    << platelet.state().x << " m is " << beyond
-                    << " m outside the mesh, beyond patch "
-                    << mesh_.boundaryMesh()[platelet.patch()].name() << "." << nl
-                    << "    Reduce engineDeltaT in clayCloudProperties"
-                    << exit(FatalError);
-            }
+        if
+        (
+            !platelet.onBoundaryFace()
+         || mag(axes_.nearestImage(x - platelet.position())) < tolerance
+        )
+        {
+            continue;
         }
+
+        // The straight way may lead through rock that the platelet went round
+        const label celli = mesh_.findCell(x);
+
+        if (celli < 0)
+        {
+            FatalErrorInFunction
+                << "Platelet " << platelet.state().id << " went from "
+                << x - platelet.state().displacement << " m to " << x
+                << " m, which is outside the mesh beyond patch "
+                << mesh_.boundaryMesh()[platelet.patch()].name()
+                << (Pstream::parRun() ? " (or round it to another rank)" : "")
+                << "." << nl
+                << "    Reduce deltaT (in controlDict); if it went through a"
+                << " wall, engineDeltaT in clayCloudProperties"
+                << exit(FatalError);
+        }
+        platelet.relocate(x, celli);
     }
 
     const label changes = transferred_ + label(engine_->departures().size());
@@ -148,6 +168,7 @@ void Foam::clayCloud::move(const volVectorField& Uwater, const scalar deltaT)
     {
         asFatalError
         (
+            units,
             [&]
             {
                 engine_->changeForce
@@ -167,7 +188,7 @@ void Foam::clayCloud::move(const volVectorField& Uwater, const scalar deltaT)
     );
 
     sampleWater(Uwater);
-    asFatalError([&]{ engine_->advance(deltaT/units.time()); });
+    asFatalError(units, [&]{ engine_->advance(deltaT/units.time()); });
     takeBack();
     follow();
     checkCount(idsBefore);

@@ -63,20 +63,21 @@ Foam::clayInteractions::clayInteractions
     const cloudProperties& properties,
     const clayState& state,
     const periodicAxes& axes,
-    const label number,
-    const scalar time,
     const vector& g
 )
 :
     matter_(matter),
     properties_(properties),
     state_(state),
-    weight_(Zero)
+    weight_(Zero),
+    warned_(false)
 {
+    const scalar time = state.placedAt;
+
     decideEffects(time, g);
     decideFriction(time);
     chooseUnits(time);
-    chooseCutOff(time, axes, number);
+    chooseCutOff(time, axes);
     chooseEngine();
 }
 
@@ -254,19 +255,11 @@ void Foam::clayInteractions::chooseUnits(const scalar time)
 void Foam::clayInteractions::chooseCutOff
 (
     const scalar time,
-    const periodicAxes& axes,
-    const label number
+    const periodicAxes& axes
 )
 {
     const scalar spacing = state_.spacing;
     const colloid::pairInteraction law(pairLaw(time));
-
-    const auto relative = [&](const scalar spacings)
-    {
-        return
-            mag(law.force(spacings*spacing - thickness()))
-           /max(mag(law.force(spacing - thickness())), VSMALL);
-    };
 
     scalar halfPeriod = GREAT;
     for (direction axis = 0; axis < 3; ++axis)
@@ -290,10 +283,13 @@ void Foam::clayInteractions::chooseCutOff
                 << exit(FatalIOError);
         }
     }
-    else if (halfPeriod == GREAT && number <= properties_.maxNeighbours())
+    else if
+    (
+        halfPeriod == GREAT && state_.entered <= properties_.maxNeighbours()
+    )
     {
         // Few platelets in open space: all pairs, however far they move apart
-        cutOff_ = 1e3*max(scalar(number), scalar(1))*spacing;
+        cutOff_ = 1e3*max(scalar(state_.entered), scalar(1))*spacing;
     }
     else
     {
@@ -313,8 +309,16 @@ void Foam::clayInteractions::chooseCutOff
         // Room for the taper of the last tenth
         cutOff_ = min(max(spacings, scalar(1.5))/0.9*spacing, halfPeriod);
     }
+}
 
-    forceLeftOut_ = relative(0.9*cutOff_/spacing);
+
+Foam::scalar Foam::clayInteractions::forceLeftOut(const scalar time) const
+{
+    const colloid::pairInteraction law(pairLaw(time));
+
+    return
+        mag(law.force(0.9*cutOff_ - thickness()))
+       /max(mag(law.force(state_.spacing - thickness())), VSMALL);
 }
 
 
@@ -326,6 +330,7 @@ void Foam::clayInteractions::chooseEngine()
 
     settings_.thickness = thickness()/units_->length();
     settings_.cutOff = cutOff_/units_->length();
+    settings_.spacing = state_.spacing/units_->length();
     settings_.skin = max(properties_.skin(), scalar(0))/units_->length();
     settings_.pairKernel =
         properties_.exactKernel() || cutOff_ > 100*state_.spacing
@@ -343,6 +348,23 @@ void Foam::clayInteractions::chooseEngine()
 std::shared_ptr<const plateletDynamics::gapForce>
 Foam::clayInteractions::force(const scalar time) const
 {
+    // A cut-off of the water at the start may not do for dilute water
+    const scalar leftOut = forceLeftOut(time);
+
+    if (leftOut > 2*forceLeftOut(state_.placedAt) + properties_.tolerance())
+    {
+        if (!warned_)
+        {
+            WarningInFunction
+                << "At " << time << " s the cut-off of " << cutOff_
+                << " m leaves out " << leftOut << " of the force at the mean"
+                << " spacing." << nl
+                << "    Set cutOff (clayCloudProperties) for the most dilute"
+                << " water of the run" << nl << endl;
+        }
+        warned_ = true;
+    }
+
     return std::make_shared<reducedForce>(pairLaw(time), *units_);
 }
 
@@ -384,7 +406,7 @@ void Foam::clayInteractions::print(Ostream& os) const
         << "    cutOff           " << cutOff_ << " m ("
         << said(properties_.cutOff()) << "), "
         << cutOff_/state_.spacing << " spacings; force left out "
-        << forceLeftOut_ << nl
+        << forceLeftOut(state_.placedAt) << nl
         << "    kernel           "
         << (
                settings_.pairKernel

@@ -56,7 +56,6 @@ Foam::clayRegion::clayRegion(const polyMesh& mesh, const dictionary& dict)
     {
         const word name(dict.get<word>("zone"));
         colloid::checkChoice(dict, "zone", name, mesh.cellZones().names());
-        colloid::checkChoice(dict, "zone", name, mesh.cellZones().names());
 
         const labelUList& cells = mesh.cellZones()[name];
         bounds_ = boundBox::invertedBox;

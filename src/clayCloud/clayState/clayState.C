@@ -46,6 +46,7 @@ Foam::clayState::clayState(const polyMesh& mesh)
     }
 
     readEntry("coarseGraining", coarseGraining);
+    readEntry("placedAt", placedAt);
     readEntry("spacing", spacing);
     readEntry("entered", entered);
     readEntry("left", left);
@@ -62,6 +63,7 @@ Foam::clayState::clayState
 :
     IOdictionary(stateObject(mesh, IOobject::NO_READ)),
     coarseGraining(scale),
+    placedAt(mesh.time().value()),
     spacing(meanSpacing),
     entered(number)
 {}
@@ -84,6 +86,7 @@ bool Foam::clayState::writeData(Ostream& os) const
     const int precision = os.precision(17);
 
     os.writeEntry("coarseGraining", coarseGraining);
+    os.writeEntry("placedAt", placedAt);
     os.writeEntry("spacing", spacing);
     os.writeEntry("entered", entered);
     os.writeEntry("left", left);

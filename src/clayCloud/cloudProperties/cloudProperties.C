@@ -8,6 +8,8 @@
 #include "Time.H"
 #include "keyType.H"
 
+#include <algorithm>
+
 const Foam::Enum<Foam::cloudProperties::choice>
 Foam::cloudProperties::choiceNames
 ({
@@ -224,12 +226,6 @@ Foam::scalar Foam::cloudProperties::coarseGraining() const
 }
 
 
-Foam::label Foam::cloudProperties::seed() const
-{
-    return section("solution").getOrDefault<label>("seed", 1);
-}
-
-
 Foam::scalar Foam::cloudProperties::filterLength() const
 {
     return numberOrAuto(section("filter"), "length");
@@ -250,9 +246,53 @@ Foam::cloudProperties::actionOf(const word& patchName) const
 {
     const dictionary patches(section("patches"));
 
-    // dictionary look-up prefers a literal name, then the last pattern
-    return patchActionNames.getOrDefault
+    // A literal name, else the last pattern that fits
+    const entry* found = patches.findEntry(patchName, keyType::REGEX);
+
+    if (!found)
+    {
+        return patchAction::automatic;
+    }
+
+    const word action(found->get<word>());
+    colloid::checkChoice
     (
-        patchName, patches, patchAction::automatic, false
+        patches,
+        found->keyword(),
+        action,
+        wordList({"auto", "platelet", "reflect", "absorb"})
     );
+    return patchActionNames[action];
+}
+
+
+void Foam::cloudProperties::checkPatches(const wordList& names) const
+{
+    const dictionary patches(section("patches"));
+
+    for (const entry& e : patches)
+    {
+        const keyType& key = e.keyword();
+
+        if
+        (
+            std::none_of
+            (
+                names.begin(), names.end(),
+                [&](const word& name){ return key.match(name); }
+            )
+        )
+        {
+            FatalIOErrorInFunction(patches)
+                << "No patch fits '" << key << "'; the patches are "
+                << flatOutput(names);
+
+            const word nearest(colloid::nearestWord(key, names));
+            if (nearest.size())
+            {
+                FatalIOError<< ". Is it " << nearest << '?';
+            }
+            FatalIOError<< exit(FatalIOError);
+        }
+    }
 }

@@ -77,4 +77,14 @@ void Foam::effectTable::print(Ostream& os) const
     }
 
     os  << text.str().c_str() << endl;
+
+    for (const row& r : rows_)
+    {
+        if (r.whoSaid == "unavailable" && r.measure >= r.threshold)
+        {
+            WarningInFunction
+                << r.name << " would be on by its measure, but this version"
+                << " does not compute it" << nl << endl;
+        }
+    }
 }

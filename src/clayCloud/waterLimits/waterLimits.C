@@ -76,6 +76,8 @@ plateletDynamics::boundarySurface Foam::waterLimits::triangles
     using plateletDynamics::boundarySurface;
     using action = cloudProperties::patchAction;
 
+    properties.checkPatches(mesh.boundaryMesh().names());
+
     // Corners and patch number of each triangle of this rank
     DynamicList<FixedList<point, 3>> corners;
     DynamicList<label> patchOf;

@@ -221,7 +221,7 @@ void engine::implementation::evaluateForces(bool maySort)
     const stopwatch watch(counters_.forceSeconds);
     pairKernel::events met;
 
-    local_.force.assign(local_.size(), vector::Zero());
+    local_.force.assign(local_.size(), settings_.bodyForce);
     kernel_->addForces(near_.points(), near_.pairs(), local_.force, met);
 
     if (met.coincidence && problem_.empty())
@@ -259,7 +259,7 @@ void engine::implementation::calculateVelocities()
         {
             velocity =
                 local_.waterVelocity[k]
-              + (local_.force[k] + settings_.bodyForce)/local_.friction[k];
+              + local_.force[k]/local_.friction[k];
 
             if (isFinite(velocity))
             {

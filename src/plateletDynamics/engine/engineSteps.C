@@ -14,13 +14,13 @@ namespace plateletDynamics
 namespace
 {
 
-//- Share of the integrator's limit, and of the cut-off, that a chosen step uses
+//- Share of the integrator's limit, and of the spacing, that a chosen step uses
 constexpr double safety = 0.5;
 constexpr double largestMove = 0.25;
 
-//- The step is chosen anew when a platelet may have come this far, in cut-offs.
+//- The step is chosen anew when a platelet may have come this far, in spacings.
 //  Not when lists are made: that depends on the number of ranks
-constexpr double holdsFor = 0.025;
+constexpr double holdsFor = 0.05;
 
 //- Steps of one call beyond which it would never end
 constexpr double tooManySteps = 1e12;
@@ -36,6 +36,15 @@ double inverse(double rate)
 constexpr double outOfReach = 1e15;
 
 } // End namespace
+
+
+double engine::implementation::moveScale() const
+{
+    return
+        settings_.spacing > 0
+      ? std::min(settings_.spacing, settings_.cutOff)
+      : settings_.cutOff;
+}
 
 
 double engine::implementation::stabilityLimit()
@@ -58,7 +67,7 @@ double engine::implementation::stableDeltaT()
 
     return inverse
     (
-        std::max(byStiffness, fastest/(largestMove*settings_.cutOff))
+        std::max(byStiffness, fastest/(largestMove*moveScale()))
     );
 }
 
@@ -182,7 +191,7 @@ void engine::implementation::advance(double duration)
         evaluateForces(true);
         calculateVelocities();
 
-        if (steps == 0 || travelled_ > holdsFor*settings_.cutOff)
+        if (steps == 0 || travelled_ > holdsFor*moveScale())
         {
             steps = stepsFor(remaining);
             deltaT = remaining/steps;

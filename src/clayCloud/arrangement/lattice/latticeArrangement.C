@@ -88,5 +88,10 @@ Foam::pointField Foam::latticeArrangement::place(Random& random)
         }
     }
 
+    // What the whole numbers of spacings came to
+    if (places.size())
+    {
+        spacing_ = Foam::cbrt(region_.volume()/places.size());
+    }
     return pointField(places);
 }
