@@ -4,6 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "flowCase.H"
+#include "IFstream.H"
+#include "OSspecific.H"
 #include "mathematicalConstants.H"
 #include "surfaceFields.H"
 
@@ -411,4 +413,35 @@ TEST(fractureFlowInput, closedFarSideIsRefused)
     boxSpec spec = rim(4, 4);
     spec.types[2] = spec.types[3] = "cyclic";
     EXPECT_TRUE(mentions(messageOfRim(spec), {"water", "cyclic", "open"}));
+}
+
+
+// What the annotated dictionary says is what the models read
+TEST(fractureFlowInput, annotatedDictionaryIsAccepted)
+{
+    const fileName file
+    (
+        getEnv("BENTOFOAM_DIR")/"etc/caseDicts/fractureFlowProperties"
+    );
+    ASSERT_TRUE(isFile(file)) << "source etc/bashrc first";
+
+    dictionary properties{IFstream(file)()};
+    properties.remove("FoamFile");
+
+    for (const word model : {"none", "uniform", "localViscosity"})
+    {
+        flowCase c(rim(4, 4));
+        properties.set("model", model);
+        EXPECT_EQ
+        (
+            messageOf
+            (
+                [&]()
+                {
+                    fractureFlow::New(c.mesh(), c.alpha(), properties)->solve();
+                }
+            ),
+            ""
+        ) << model;
+    }
 }
