@@ -90,7 +90,8 @@ TEST(reflection, mirrorsTheWayInARoom)
             system.advance(deltaT);
             for (int axis = 0; axis < 3; ++axis)
             {
-                expected[axis] = folded(expected[axis] + deltaT*velocity[axis], 1);
+                expected[axis] =
+                    folded(expected[axis] + deltaT*velocity[axis], 1);
             }
             const vector place
             (

@@ -69,7 +69,10 @@ TEST(surfaceTriangle, findsItsNearestPoint)
 
 TEST(surfaceTriangle, tellsWhichLinesPassThroughIt)
 {
-    const surfaceTriangle t({vector(0, 0, 0), vector(1, 0, 0), vector(0, 1, 0)});
+    const surfaceTriangle t
+    (
+        {vector(0, 0, 0), vector(1, 0, 0), vector(0, 1, 0)}
+    );
 
     EXPECT_TRUE(t.between(vector(0.2, 0.2, 1), vector(0.3, 0.3, -1)));
     EXPECT_TRUE(t.between(vector(0.2, 0.2, -1), vector(0.3, 0.3, 1)));
