@@ -36,6 +36,7 @@ vector readGravity(const Time& runTime)
 }
 
 
+//- A field of the clay: read by a restart, 0 at a start
 template<class GeoField>
 GeoField cloudField
 (
@@ -44,17 +45,24 @@ GeoField cloudField
     const dimensionSet& dimensions
 )
 {
+    const bool restart = mesh.time().timeIndex();
+
+    const IOobject io
+    (
+        name,
+        mesh.time().timeName(),
+        mesh,
+        restart ? IOobject::MUST_READ : IOobject::NO_READ,
+        IOobject::AUTO_WRITE
+    );
+
+    if (restart)
+    {
+        return GeoField(io, mesh);
+    }
     return GeoField
     (
-        IOobject
-        (
-            name,
-            mesh.time().timeName(),
-            mesh,
-            mesh.time().timeIndex()
-          ? IOobject::MUST_READ : IOobject::READ_IF_PRESENT,
-            IOobject::AUTO_WRITE
-        ),
+        io,
         mesh,
         dimensioned<typename GeoField::value_type>(dimensions, Zero),
         zeroGradientFvPatchField<typename GeoField::value_type>::typeName
