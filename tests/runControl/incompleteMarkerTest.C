@@ -55,6 +55,19 @@ TEST(incompleteMarker, keepsWhatWasComplete)
 }
 
 
+TEST(incompleteMarker, takesTheLeftoversOfAKill)
+{
+    // Killed between making the directory aside and moving it into place
+    const temporaryCase here;
+    here.file(".0.5.new/uniform/incomplete", "");
+
+    EXPECT_TRUE(incompleteMarker::set(here.path()/"0.5"));
+
+    EXPECT_TRUE(here.has("0.5/uniform/incomplete"));
+    EXPECT_FALSE(here.has(".0.5.new"));
+}
+
+
 TEST(incompleteMarker, removesWholeTimes)
 {
     const temporaryCase here;

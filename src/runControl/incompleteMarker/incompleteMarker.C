@@ -23,6 +23,15 @@ std::filesystem::path asPath(const std::string& name)
 }
 
 
+//- A folder besides the time directory that no program takes for a time
+std::filesystem::path besides(const fileName& timeDirectory, const char* ending)
+{
+    std::filesystem::path name(asPath(timeDirectory));
+    name.replace_filename("." + name.filename().string() + ending);
+    return name;
+}
+
+
 //- Remove everything in the time directory but the marker
 bool removeAllButMarker(const fileName& timeDirectory)
 {
@@ -78,6 +87,23 @@ bool set(const fileName& timeDirectory)
     const bool interrupted = found(timeDirectory);
 
     std::error_code error;
+
+    if (!std::filesystem::exists(asPath(timeDirectory), error))
+    {
+        // Made aside and moved into place with the marker in it, so that a
+        // kill at no moment leaves a time directory without
+        const std::filesystem::path aside(besides(timeDirectory, ".new"));
+
+        std::filesystem::create_directories(aside/"uniform", error);
+
+        if (!std::ofstream(aside/"uniform"/"incomplete").good())
+        {
+            return false;
+        }
+        std::filesystem::rename(aside, asPath(timeDirectory), error);
+        return !error;
+    }
+
     std::filesystem::create_directories
     (
         asPath(timeDirectory)/"uniform",
@@ -122,15 +148,18 @@ bool removeTime(const fileName& timeDirectory)
         }
     }
 
+    if (!removeAllButMarker(timeDirectory))
+    {
+        return false;
+    }
+
+    // Out of sight with the marker in it, then gone
     std::error_code error;
-    return
-        removeAllButMarker(timeDirectory)
-     && std::filesystem::remove_all
-        (
-            asPath(timeDirectory),
-            error
-        ) > 0
-     && !error;
+    const std::filesystem::path aside(besides(timeDirectory, ".old"));
+    std::filesystem::remove_all(aside, error);
+    std::filesystem::rename(asPath(timeDirectory), aside, error);
+
+    return !error && std::filesystem::remove_all(aside, error) > 0 && !error;
 }
 
 } // End namespace incompleteMarker
