@@ -252,9 +252,13 @@ void Foam::clayCloud::checkCount(const labelUList& idsBefore) const
     {
         accounted.append(platelet.state().id);
     }
-    for (const plateletDynamics::departure& gone : engine_->departures())
+    // Before the first step there is no engine yet
+    if (engine_)
     {
-        accounted.append(gone.id);
+        for (const plateletDynamics::departure& gone : engine_->departures())
+        {
+            accounted.append(gone.id);
+        }
     }
     after[Pstream::myProcNo()] = accounted;
     Pstream::gatherList(before);
@@ -273,7 +277,10 @@ void Foam::clayCloud::checkCount(const labelUList& idsBefore) const
     FatalErrorInFunction
         << "Platelets do not add up: " << state_.entered << " entered, "
         << inside << " are inside and " << state_.allLeft() << " left." << nl
-        << "    Missing ids: " << missing.sortedToc() << exit(FatalError);
+        << "    Missing ids: " << missing.sortedToc() << nl
+        << "    (at a start: a file of " << mesh_.time().timeName()
+        << "/lagrangian/clay is missing or of another run)"
+        << exit(FatalError);
 }
 
 
