@@ -44,6 +44,7 @@ int main(int argc, char *argv[])
 
     progress log(runTime);
     costReport cost;
+    bool tooFast = false;
 
     while (runTime.run())
     {
@@ -68,6 +69,16 @@ int main(int argc, char *argv[])
         }
 
         log.report(clay.number());
+
+        if (!tooFast && clay.maxDeltaT(1) < runTime.deltaTValue())
+        {
+            tooFast = true;
+            WarningInFunction
+                << "Platelets move by more than a filter length in a step of "
+                << runTime.deltaTValue() << " s: the flow and alpha.clay lag"
+                << " behind." << nl << "    At most " << clay.maxDeltaT(0.5)
+                << " s, or adjustTimeStep yes (controlDict)" << nl << endl;
+        }
     }
 
     clay.report(Info, cost);

@@ -34,6 +34,16 @@ int main(int argc, char *argv[])
     #include "createTime.H"
     #include "createMesh.H"
 
+    if (isFile(runTime.timePath()/"uniform"/"restartableTime"))
+    {
+        FatalErrorInFunction
+            << "Time " << runTime.timeName() << " was written by a run, and"
+            << " setClay would replace its platelets." << nl
+            << "    Start at another time (controlDict: startFrom startTime;"
+            << " startTime 0;), or delete the times of the run"
+            << exit(FatalError);
+    }
+
     const colloid::clayProperties matter(runTime);
     const cloudProperties properties(runTime);
     const periodicAxes axes(waterLimits::withCells(mesh));

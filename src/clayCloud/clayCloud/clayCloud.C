@@ -17,10 +17,11 @@ namespace
 
 using namespace Foam;
 
-//- Acceleration of gravity from constant/g [m/s2], 0 where there is none
-vector readGravity(const Time& runTime)
+//- Acceleration of gravity from constant/g [m/s2], 0 where there is none and
+//  it was not asked for
+vector readGravity(const Time& runTime, const cloudProperties& properties)
 {
-    return uniformDimensionedVectorField
+    uniformDimensionedVectorField g
     (
         IOobject
         (
@@ -32,7 +33,20 @@ vector readGravity(const Time& runTime)
             false
         ),
         dimensionedVector("g", dimAcceleration, Zero)
-    ).value();
+    );
+
+    if
+    (
+        !g.headerOk()
+     && properties.effect("gravity") == cloudProperties::choice::on
+    )
+    {
+        FatalIOErrorInFunction(properties.dict().subDict("effects"))
+            << "gravity is on, but there is no " << g.objectPath() << nl
+            << "    It holds, after its header,   dimensions [0 1 -2 0 0 0 0];"
+            << " value (0 -9.81 0);" << exit(FatalIOError);
+    }
+    return g.value();
 }
 
 
@@ -90,7 +104,7 @@ Foam::clayCloud::clayCloud
         properties_,
         state_,
         axes_,
-        readGravity(mesh.time())
+        readGravity(mesh.time(), properties_)
     ),
     filter_
     (
@@ -132,13 +146,28 @@ Foam::clayCloud::clayCloud
     );
     load();
 
+    if (state_.entered == 0)
+    {
+        WarningInFunction
+            << "There is no clay: setClay placed no platelet. Spacing, cut-off"
+            << " and effects below mean nothing" << nl << endl;
+    }
     interactions_.print(Info);
+    waterLimits::print(Info, mesh, properties_);
+    checkFilterLength();
 
     // A restart goes on with the fields of its time (the filter in time has a
     // memory); a start makes them
     if (mesh.time().timeIndex() == 0)
     {
         filter(0);
+    }
+    else
+    {
+        // decomposePar and reconstructPar leave on coupled patches something
+        // else than the neighbour's values
+        alpha_.correctBoundaryConditions();
+        Uclay_.correctBoundaryConditions();
     }
 }
 
@@ -155,6 +184,23 @@ void Foam::clayCloud::checkState() const
             << state_.objectPath() << ")." << nl
             << "    Run setClay again or put " << state_.coarseGraining
             << " here" << exit(FatalIOError);
+    }
+}
+
+
+void Foam::clayCloud::checkFilterLength() const
+{
+    const scalar widest = Foam::cbrt(gMax(mesh_.V().field()));
+
+    if (interactions_.filterLength() < widest)
+    {
+        WarningInFunction
+            << "The filter length of " << interactions_.filterLength()
+            << " m is less than the width of the largest cells, " << widest
+            << " m:" << nl << "    there each platelet counts in its own cell"
+            << " alone, and alpha.clay is coarse." << nl
+            << "    Smaller cells, or a larger filter length"
+            << " (clayCloudProperties)" << nl << endl;
     }
 }
 
@@ -288,18 +334,19 @@ void Foam::clayCloud::report(Ostream& os, costReport& cost) const
 {
     const plateletDynamics::engineCounters& counters = engine_->counters();
 
-    cost.add("platelets: lists", counters.listSeconds, true);
-    cost.add("platelets: forces", counters.forceSeconds, true);
-    cost.add("platelets: other ranks", counters.haloSeconds, true);
+    cost.add("lists", counters.listSeconds, "platelets");
+    cost.add("forces", counters.forceSeconds, "platelets");
+    cost.add("choosing steps", counters.stiffnessSeconds, "platelets");
+    cost.add("other ranks", counters.haloSeconds, "platelets");
 
     const scalar contacts =
         returnReduce(scalar(counters.contacts), sumOp<scalar>());
 
     os  << nl << "Platelets: " << state_.entered << " entered, "
-        << number() << " inside";
-    forAllConstIters(state_.left, iter)
+        << number() << " inside, " << state_.allLeft() << " left";
+    for (const word& patch : state_.left.sortedToc())
     {
-        os  << ", " << iter.val() << " left through " << iter.key();
+        os  << ", " << state_.left[patch] << " through " << patch;
     }
     os  << nl << "Engine: " << counters.steps << " steps, "
         << counters.evaluations << " evaluations of the forces, "

@@ -5,6 +5,7 @@
 
 #include "clayInteractions.H"
 #include "checkWords.H"
+#include "coagulation.H"
 #include "doubleLayer.H"
 #include "mathematicalConstants.H"
 #include "pairInteraction.H"
@@ -175,6 +176,10 @@ void Foam::clayInteractions::decideEffects(const scalar time, const vector& g)
         attraction,
         tolerance
     );
+    if (vanDerWaalsOn_)
+    {
+        warnOfCoagulation(water.concentration);
+    }
 
     effects_.unavailable
     (
@@ -202,6 +207,24 @@ void Foam::clayInteractions::decideEffects(const scalar time, const vector& g)
     )
     {
         weight_ = weight;
+    }
+}
+
+
+void Foam::clayInteractions::warnOfCoagulation(const scalar concentration) const
+{
+    const auto negative =
+        colloid::coagulation(matter_, properties_.doubleLayerDict())
+       .negative(concentration);
+
+    if (negative.found)
+    {
+        WarningInFunction
+            << "At " << concentration << " mol/m3 attraction wins: between the"
+            << " solid fractions " << negative.lower << " and "
+            << negative.upper << nl
+            << "    diffusivity is negative and platelets aggregate (clayScales"
+            << " shows the critical concentration)" << nl << endl;
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include "clayRegion.H"
 #include "checkWords.H"
+#include "readInRange.H"
 
 #include "bitSet.H"
 #include "indexedOctree.H"
@@ -35,6 +36,8 @@ Foam::clayRegion::clayRegion(const polyMesh& mesh, const dictionary& dict)
     {
         ITstream& is = dict.lookup("box");
         const boundBox asked{point(is), point(is)};
+        colloid::checkAllRead(dict, "box", is);
+
         bounds_ = boundBox
         (
             max(asked.min(), meshBounds.min()),
@@ -48,6 +51,12 @@ Foam::clayRegion::clayRegion(const polyMesh& mesh, const dictionary& dict)
                 << " is empty or outside the mesh, which spans "
                 << meshBounds.min() << ' ' << meshBounds.max()
                 << exit(FatalIOError);
+        }
+        if (bounds_ != asked)
+        {
+            Info<< "    The box " << asked.min() << ' ' << asked.max()
+                << " m reaches beyond the mesh; inside is" << nl << "    "
+                << bounds_.min() << ' ' << bounds_.max() << " m" << nl;
         }
         volume_ = bounds_.volume();
         contains_ = [this](const point& x, label){ return bounds_.contains(x); };

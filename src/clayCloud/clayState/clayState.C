@@ -41,8 +41,30 @@ Foam::clayState::clayState(const polyMesh& mesh)
             << "No clay at time " << mesh.time().timeName() << " (no file "
             << objectPath() << ")." << nl
             << "    Place it with setClay (and decompose the case after that),"
-            << " or start from a time that was written"
-            << exit(FatalError);
+            << " or start from a time that was written";
+
+        // In parallel, times of the undecomposed case, and the other way round
+        const fileName otherPath
+        (
+            mesh.time().processorCase()
+          ? mesh.time().globalPath()
+          : mesh.time().path()/"processor0"
+        );
+        const instantList others(Time::findTimes(otherPath));
+
+        if (others.size() && others.last().value() > mesh.time().value())
+        {
+            FatalError<< nl
+                << "    (" << otherPath << " has results up to "
+                << others.last().name() << ": "
+                << (
+                       mesh.time().processorCase()
+                     ? "decomposePar -latestTime -force"
+                     : "reconstructPar, or run in parallel,"
+                   )
+                << " to go on from there)";
+        }
+        FatalError<< exit(FatalError);
     }
 
     readEntry("coarseGraining", coarseGraining);

@@ -7,6 +7,7 @@
 #include "checkWords.H"
 #include "Time.H"
 #include "keyType.H"
+#include "readInRange.H"
 
 #include <algorithm>
 
@@ -27,6 +28,40 @@ Foam::cloudProperties::patchActionNames
     { patchAction::absorb, "absorb" },
 });
 
+
+// * * * * * * * * * * * * * * * Local functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- The entry's number, -1 where it is `auto` or absent
+scalar numberOrAuto
+(
+    const dictionary& dict,
+    const word& keyword,
+    const scalar lower,
+    const scalar upper,
+    const char* unit
+)
+{
+    return
+        colloid::numberOrWord(dict, keyword, "auto", lower, upper, unit)
+       .value_or(-1);
+}
+
+
+//- The same of a length
+scalar lengthOrAuto(const dictionary& dict, const word& keyword)
+{
+    return numberOrAuto(dict, keyword, 1e-12, 1e3, "m");
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * Member functions  * * * * * * * * * * * * * //
 
 Foam::cloudProperties::cloudProperties(const Time& runTime)
 :
@@ -102,36 +137,6 @@ Foam::dictionary Foam::cloudProperties::section(const word& name) const
 }
 
 
-Foam::scalar Foam::cloudProperties::numberOrAuto
-(
-    const dictionary& dict,
-    const word& keyword
-) const
-{
-    const entry* found = dict.findEntry(keyword, keyType::LITERAL);
-
-    if (!found)
-    {
-        return -1;
-    }
-
-    const token first(found->stream()[0]);
-
-    if (first.isWord() && first.wordToken() == "auto")
-    {
-        return -1;
-    }
-    if (!first.isNumber() || first.number() <= 0)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry '" << keyword << "' is " << first
-            << "; it should be auto or a number > 0"
-            << exit(FatalIOError);
-    }
-    return first.number();
-}
-
-
 Foam::cloudProperties::choice
 Foam::cloudProperties::effect(const word& name) const
 {
@@ -160,7 +165,7 @@ Foam::word Foam::cloudProperties::integrator() const
 
 Foam::scalar Foam::cloudProperties::engineDeltaT() const
 {
-    return numberOrAuto(section("solution"), "engineDeltaT");
+    return numberOrAuto(section("solution"), "engineDeltaT", 1e-18, 1e12, "s");
 }
 
 
@@ -185,13 +190,13 @@ bool Foam::cloudProperties::exactKernel() const
 
 Foam::scalar Foam::cloudProperties::cutOff() const
 {
-    return numberOrAuto(section("solution"), "cutOff");
+    return lengthOrAuto(section("solution"), "cutOff");
 }
 
 
 Foam::scalar Foam::cloudProperties::skin() const
 {
-    return numberOrAuto(section("solution"), "skin");
+    return lengthOrAuto(section("solution"), "skin");
 }
 
 
@@ -213,22 +218,13 @@ Foam::scalar Foam::cloudProperties::coarseGraining() const
         return 1;
     }
 
-    const scalar alpha = numberOrAuto(solution, "coarseGraining");
-
-    if (alpha > 0 && alpha < 1)
-    {
-        FatalIOErrorInFunction(solution)
-            << "coarseGraining is " << alpha
-            << "; a parcel stands for coarseGraining^3 platelets, so it is"
-            << " at least 1" << exit(FatalIOError);
-    }
-    return alpha;
+    return numberOrAuto(solution, "coarseGraining", 1, 1e6, "(-)");
 }
 
 
 Foam::scalar Foam::cloudProperties::filterLength() const
 {
-    return numberOrAuto(section("filter"), "length");
+    return lengthOrAuto(section("filter"), "length");
 }
 
 

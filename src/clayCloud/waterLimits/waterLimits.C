@@ -15,6 +15,8 @@
 #include "wallPolyPatch.H"
 #include "wedgePolyPatch.H"
 
+#include <iomanip>
+#include <sstream>
 #include <vector>
 
 const Foam::polyMesh& Foam::waterLimits::withCells(const polyMesh& mesh)
@@ -170,4 +172,39 @@ plateletDynamics::boundarySurface Foam::waterLimits::triangles
         }
     }
     return surface;
+}
+
+
+void Foam::waterLimits::print
+(
+    Ostream& os,
+    const polyMesh& mesh,
+    const cloudProperties& properties
+)
+{
+    using action = cloudProperties::patchAction;
+
+    os  << "Patches" << nl;
+    for (label i = 0; i < mesh.boundaryMesh().nNonProcessor(); ++i)
+    {
+        const polyPatch& patch = mesh.boundaryMesh()[i];
+        const bool said =
+            properties.actionOf(patch.name()) != action::automatic;
+
+        std::ostringstream text;
+        text
+            << "    " << std::left << std::setw(16) << patch.name() << ' '
+            << std::setw(10)
+            << (
+                   patch.coupled()
+                 ? "periodic"
+                 : cloudProperties::patchActionNames
+                   [
+                       actionOf(mesh, i, properties)
+                   ].c_str()
+               )
+            << (said && !patch.coupled() ? "user" : patch.type().c_str());
+        os  << text.str().c_str() << nl;
+    }
+    os  << endl;
 }

@@ -250,7 +250,7 @@ void Foam::colloid::clayProperties::readWater()
             << exit(FatalIOError);
     }
 
-    concentration_ = Function1<scalar>::New("concentration", d);
+    concentration_ = readFunction1<scalar>(d, "concentration");
 
     // Now rather than in the middle of a run
     waterAt(0);

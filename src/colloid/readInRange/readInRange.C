@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "readInRange.H"
+#include "checkWords.H"
 #include "error.H"
 
 #include <cmath>
@@ -71,4 +72,65 @@ Foam::scalar Foam::colloid::readInRange
 }
 
 
-// ************************************************************************* //
+std::optional<Foam::scalar> Foam::colloid::numberOrWord
+(
+    const dictionary& dict,
+    const word& keyword,
+    const word& instead,
+    const scalar lower,
+    const scalar upper,
+    const char* unit
+)
+{
+    const entry* given = dict.findEntry(keyword, keyType::LITERAL);
+
+    if (!given)
+    {
+        return std::nullopt;
+    }
+
+    ITstream& is = given->stream();
+    const token first(is);
+
+    if (first.isNumber())
+    {
+        return readInRange(dict, keyword, lower, upper, unit);
+    }
+    if (!first.isWord())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << keyword << "' is neither a number nor the word "
+            << instead << exit(FatalIOError);
+    }
+    checkChoice(dict, keyword, first.wordToken(), wordList({instead}));
+    checkAllRead(dict, keyword, is);
+
+    return std::nullopt;
+}
+
+
+void Foam::colloid::checkAllRead
+(
+    const dictionary& dict,
+    const word& keyword,
+    const ITstream& is
+)
+{
+    if (is.nRemainingTokens())
+    {
+        auto& message = FatalIOError
+        (
+            FUNCTION_NAME,
+            __FILE__,
+            __LINE__,
+            dict.name(),
+            is.lineNumber(),
+            is.lineNumber()
+        );
+
+        message << "Too much in entry '" << keyword << "': ";
+        is.writeList(message, 0);
+        message << nl << "Numbers are in SI units, with nothing after them"
+            << nl << exit(FatalIOError);
+    }
+}

@@ -195,7 +195,7 @@ Foam::fractureFlows::StokesFlow::StokesFlow
 
     if (coeffs.found("pressureGradient"))
     {
-        pressureGradient_ = Function1<vector>::New("pressureGradient", coeffs);
+        pressureGradient_ = colloid::readFunction1<vector>(coeffs, "pressureGradient");
     }
 
     checkBoundaryConditions();
@@ -329,9 +329,14 @@ void Foam::fractureFlows::StokesFlow::solve()
 
     setPressureLevel();
 
-    Info<< "Stokes: residual " << residuals_.first() << " -> "
-        << residuals_.last() << ", " << residuals_.size() - 1
-        << " iterations" << endl;
+    // The first, and those that are harder: a run's log has a line per step
+    if (residuals_.size() > mostResiduals_)
+    {
+        mostResiduals_ = residuals_.size();
+        Info<< "Stokes: residual " << residuals_.first() << " -> "
+            << residuals_.last() << ", " << residuals_.size() - 1
+            << " iterations" << endl;
+    }
 
     if (residuals_.last() > residual_)
     {

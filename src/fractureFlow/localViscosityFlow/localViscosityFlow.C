@@ -6,6 +6,7 @@
 #include "localViscosityFlow.H"
 #include "LiuCoVolume.H"
 #include "checkWords.H"
+#include "readInRange.H"
 #include "linear.H"
 #include "fvcReconstruct.H"
 #include "fvcSurfaceIntegrate.H"
@@ -52,6 +53,36 @@ void Foam::fractureFlows::localViscosityFlow::checkDivergence()
 }
 
 
+void Foam::fractureFlows::localViscosityFlow::checkAlongGel
+(
+    const vector& u0
+) const
+{
+    const label patchi =
+        mesh().boundaryMesh().findPatchID(coeffs().get<word>("gelPatch"));
+    const vectorField& areas = mesh().Sf().boundaryField()[patchi];
+
+    const scalar across = gSum(mag(u0 & areas));
+    const scalar all = mag(u0)*gSum(mag(areas));
+
+    // That is dropped. A slightly bent gel can do without it
+    if (across > 0.5*all)
+    {
+        FatalIOErrorInFunction(coeffs())
+            << "U is " << u0 << " m/s, and " << across/all << " of it points"
+            << " across the gel patch, through which nothing flows." << nl
+            << "    Give a velocity along the patch; around a curved gel the"
+            << " model Stokes finds the flow" << exit(FatalIOError);
+    }
+    if (across > 0.01*all)
+    {
+        WarningInFunction
+            << across/all << " of U points across the gel patch, where it is"
+            << " left out" << nl << endl;
+    }
+}
+
+
 void Foam::fractureFlows::localViscosityFlow::reconstructU()
 {
     URef() == fvc::reconstruct(phi());
@@ -90,7 +121,7 @@ Foam::fractureFlows::localViscosityFlow::localViscosityFlow
 {
     colloid::checkWords(coeffs, wordList({"U", "gelPatch", "asPrinted"}));
 
-    velocity_ = Function1<vector>::New("U", coeffs);
+    velocity_ = colloid::readFunction1<vector>(coeffs, "U");
     coeffs.readIfPresent("asPrinted", asPrinted_);
 
     if (!asPrinted_)
@@ -104,6 +135,7 @@ Foam::fractureFlows::localViscosityFlow::localViscosityFlow
                 this->coeffs()
             )
         );
+        checkAlongGel(velocity_->value(mesh.time().value()));
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include "uniformFlow.H"
 #include "checkWords.H"
+#include "readInRange.H"
 #include "linear.H"
 #include "wallPolyPatch.H"
 #include "addToRunTimeSelectionTable.H"
@@ -55,7 +56,7 @@ Foam::fractureFlows::uniformFlow::uniformFlow
     fractureFlow(mesh, alpha, coeffs, IOobject::NO_READ)
 {
     colloid::checkWords(coeffs, wordList({"U"}));
-    velocity_ = Function1<vector>::New("U", coeffs);
+    velocity_ = colloid::readFunction1<vector>(coeffs, "U");
 
     warnOfWallsInTheWay();
 }

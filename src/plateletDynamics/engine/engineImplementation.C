@@ -301,6 +301,7 @@ double engine::implementation::stiffness()
 
     if (!stiffnessHolds_)
     {
+        const stopwatch timing(counters_.stiffnessSeconds);
         std::vector<Eigen::Matrix3d> springs
         (
             local_.size(), Eigen::Matrix3d::Zero()

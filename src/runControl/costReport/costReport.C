@@ -57,7 +57,11 @@ Foam::costReport::costReport()
 {}
 
 
-std::size_t Foam::costReport::find(const std::string& name, const bool within)
+std::size_t Foam::costReport::find
+(
+    const std::string& name,
+    const std::string& whole
+)
 {
     std::size_t parti = 0;
     while (parti < parts_.size() && parts_[parti].name != name)
@@ -66,7 +70,7 @@ std::size_t Foam::costReport::find(const std::string& name, const bool within)
     }
     if (parti == parts_.size())
     {
-        parts_.push_back({name, 0, within});
+        parts_.push_back({name, 0, whole});
     }
     return parti;
 }
@@ -74,7 +78,7 @@ std::size_t Foam::costReport::find(const std::string& name, const bool within)
 
 Foam::costReport::timing Foam::costReport::start(const std::string& name)
 {
-    return timing(*this, find(name, false));
+    return timing(*this, find(name, ""));
 }
 
 
@@ -82,10 +86,10 @@ void Foam::costReport::add
 (
     const std::string& name,
     const double seconds,
-    const bool within
+    const std::string& whole
 )
 {
-    parts_[find(name, within)].seconds += seconds;
+    parts_[find(name, whole)].seconds += seconds;
 }
 
 
@@ -139,14 +143,29 @@ void Foam::costReport::report
         os  << line << nl;
     };
 
+    const auto partRow = [&](const std::string& indent, const part& p)
+    {
+        const scalar mean = returnReduce(p.seconds, sumOp<scalar>())/ranks;
+
+        row(indent + p.name, returnReduce(p.seconds, maxOp<scalar>()), mean);
+        return mean;
+    };
+
     scalar rest = total;
     for (const part& p : parts_)
     {
-        const scalar mean = returnReduce(p.seconds, sumOp<scalar>())/ranks;
-        const scalar slowest = returnReduce(p.seconds, maxOp<scalar>());
+        if (p.whole.empty())
+        {
+            rest -= partRow("", p);
 
-        row((p.within ? "  of it " : "") + p.name, slowest, mean);
-        rest -= p.within ? 0 : mean;
+            for (const part& within : parts_)
+            {
+                if (within.whole == p.name)
+                {
+                    partRow("  of it ", within);
+                }
+            }
+        }
     }
     row("other", rest, rest);
     row("total", total, total);

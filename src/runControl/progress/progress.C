@@ -115,7 +115,7 @@ std::string Foam::progress::line
 
     if (endIsKnown)
     {
-        text += formatted(" %5.1f %%", 100*now/end);
+        text += formatted(" %5.1f %%", 100*std::min(now/end, 1.));
     }
     if (platelets >= 0)
     {

@@ -11,6 +11,7 @@
 #include "chosenStart.H"
 #include "exactTimeState.H"
 #include "fileOperation.H"
+#include "OSspecific.H"
 #include "incompleteMarker.H"
 #include "wholeFiles.H"
 
@@ -55,6 +56,28 @@ bool functionObjectsWanted(const Foam::argList& args)
       ? args.found("withFunctionObjects")
       : argList::validOptions.found("noFunctionObjects")
      && !args.found("noFunctionObjects");
+}
+
+
+//- FatalError if mpirun started several copies that know nothing of each other
+//  and would write the same files
+void refuseCopies()
+{
+    using namespace Foam;
+
+    // Open MPI; MPICH and its kin
+    for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
+    {
+        const string ranks(getEnv(variable));
+
+        if (!Pstream::parRun() && ranks.size() && ranks != "1")
+        {
+            FatalErrorInFunction
+                << "mpirun started " << ranks.c_str()
+                << " copies of a serial run. Add the option -parallel"
+                << exit(FatalError);
+        }
+    }
 }
 
 } // End anonymous namespace
@@ -118,6 +141,7 @@ Foam::restartableTime::restartableTime
     scheduleStart_(startTime_)
 {
     purgeWrite_ = 0;
+    refuseCopies();
 
     // Time can't know which file its dictionary came from
     if (runTimeModifiable())
@@ -136,6 +160,7 @@ Foam::restartableTime::restartableTime
     }
 
     readExactState();
+    warnOfControls();
 
     // A file beyond `ulimit -f` then fails as on a full disk, with a message,
     // instead of killing the run
@@ -144,6 +169,40 @@ Foam::restartableTime::restartableTime
 
 
 // * * * * * * * * * * * * * * * * * Private * * * * * * * * * * * * * * * * //
+
+void Foam::restartableTime::warnOfControls() const
+{
+    const scalar end = endTime().value();
+
+    if (value() > end - 0.5*deltaTValue())
+    {
+        WarningInFunction
+            << "Nothing to do: the run starts at " << timeName()
+            << " s, its endTime is " << end << " s, its deltaT "
+            << deltaTValue() << " s (controlDict)" << nl << endl;
+    }
+    else if (value() + 0.99*deltaTValue() > end)
+    {
+        WarningInFunction
+            << "The first step of " << deltaTValue() << " s leads beyond the"
+            << " endTime of " << end << " s (controlDict)" << nl << endl;
+    }
+
+    // The shortest that brings every double back
+    if
+    (
+        writeFormat() == IOstream::ASCII
+     && IOstream::defaultPrecision() < 17
+    )
+    {
+        Info<< "writeFormat ascii with writePrecision "
+            << IOstream::defaultPrecision() << ": a restart goes on from"
+            << " rounded numbers." << nl
+            << "    Bit for bit: writeFormat binary, or writePrecision 17"
+            << nl << endl;
+    }
+}
+
 
 void Foam::restartableTime::readExactState()
 {

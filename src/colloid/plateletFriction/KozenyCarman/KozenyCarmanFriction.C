@@ -25,44 +25,6 @@ namespace colloid
 }
 
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-// `fraction local;` or a number
-Foam::scalar readFixedFraction(const Foam::dictionary& dict)
-{
-    using namespace Foam;
-
-    const entry* given = dict.findEntry("fraction", keyType::LITERAL);
-
-    if (!given)
-    {
-        return -1;
-    }
-
-    const token first(given->stream());
-
-    if (first.isWord() && first.wordToken() == "local")
-    {
-        return -1;
-    }
-
-    if (!first.isNumber())
-    {
-        FatalIOErrorInFunction(dict)
-            << "fraction in " << dict.dictName()
-            << " is neither the word 'local' nor a number from 0 to 0.999"
-            << nl << exit(FatalIOError);
-    }
-
-    return colloid::readInRange(dict, "fraction", 0, 0.999, "(-)");
-}
-
-} // End anonymous namespace
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::colloid::KozenyCarmanFriction::KozenyCarmanFriction
@@ -96,7 +58,8 @@ Foam::colloid::KozenyCarmanFriction::KozenyCarmanFriction
         readInRange(dict, "Kozeny", 0, 1000, "(-)")
     )
 {
-    fixedFraction_ = readFixedFraction(dict);
+    fixedFraction_ =
+        numberOrWord(dict, "fraction", "local", 0, 0.999, "(-)").value_or(-1);
 }
 
 
