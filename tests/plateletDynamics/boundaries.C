@@ -73,7 +73,7 @@ TEST(reflection, mirrorsTheWayInARoom)
     // turn: each step is mirrored by itself
     const vector velocity(3, -1, 2);
     const double deltaT = 0.1;
-    const box space;
+    const periodicBox space;
 
     for (const int n : {1, 4})
     {
@@ -105,7 +105,7 @@ TEST(reflection, mirrorsTheWayInARoom)
 
 TEST(reflection, holdsAPlateletThatIsPressedIntoACorner)
 {
-    const box space;
+    const periodicBox space;
     engine system
     (
         space, room(1, action::reflect, 3), std::make_shared<noForce>(),
@@ -123,7 +123,7 @@ TEST(reflection, holdsAPlateletThatIsPressedIntoACorner)
 TEST(reflection, actsThroughAPeriodicSeam)
 {
     // Across the seam in x while the floor at z = 0 reflects
-    const box space(cube(2, true, true, false));
+    const periodicBox space(cube(2, true, true, false));
     boundarySurface floor;
     addSheet
     (
@@ -145,7 +145,7 @@ TEST(reflection, actsThroughAPeriodicSeam)
 
 TEST(absorption, takesAPlateletOutWhereItCrosses)
 {
-    const box space;
+    const periodicBox space;
     engine system
     (
         space, room(2, action::absorb, 3), std::make_shared<noForce>(),
@@ -176,7 +176,7 @@ TEST(absorption, takesAPlateletOutWhereItCrosses)
 
 TEST(absorption, takesPlaceAtTheFirstOfTwoBoundaries)
 {
-    const box space;
+    const periodicBox space;
     for (const bool reversed : {false, true})
     {
         boundarySurface sheets;
@@ -211,7 +211,7 @@ TEST(absorption, losesNone)
 {
     // A crowd that bursts: what came in is inside or has left, and what is
     // left feels only what is left
-    const box space;
+    const periodicBox space;
     const platelets all(scatter(300, vector(2, 2, 2)));
     auto chosen = settings(0);
     chosen.thickness = 0.1;
@@ -278,7 +278,7 @@ TEST(absorption, losesNone)
 
 TEST(boundaries, aPlateletMayComeInThroughTheirBacks)
 {
-    const box space;
+    const periodicBox space;
     engine system
     (
         space, room(1, action::absorb), std::make_shared<noForce>(),

@@ -58,7 +58,7 @@ void expectWords
 
 
 //- The error of making an engine
-std::string errorOfMaking(const engineSettings& chosen, const box& space = {})
+std::string errorOfMaking(const engineSettings& chosen, const periodicBox& space = {})
 {
     return errorOf
     (
@@ -277,7 +277,7 @@ TEST(systems, mayHoldOnePlatelet)
 TEST(systems, mayLeaveRanksEmpty)
 {
     const platelets all(scatter(50, vector::Constant(3)));
-    const box space(cube(3));
+    const periodicBox space(cube(3));
     auto chosen = settings();
     chosen.pairKernel = engineSettings::kernel::exact;
 
@@ -311,7 +311,7 @@ TEST(systems, mayBeSpreadOverVastSpaces)
         all.tag[k] = k;
     }
 
-    engine system(box(), {}, law, settings(), MPI_COMM_WORLD);
+    engine system(periodicBox(), {}, law, settings(), MPI_COMM_WORLD);
     system.load(share(all, sharing::dealt));
     system.evaluate();
 
@@ -329,7 +329,7 @@ TEST(counters, countContactsOnce)
     all.append(1, vector(0.105, 0, 0));
     all.append(2, vector(0.6, 0, 0));
 
-    engine system(box(), {}, law, settings(), MPI_COMM_WORLD);
+    engine system(periodicBox(), {}, law, settings(), MPI_COMM_WORLD);
     system.load(share(all, sharing::dealt));
     system.evaluate();
 

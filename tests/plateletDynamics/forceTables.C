@@ -77,7 +77,7 @@ TEST(forceTable, changesNetForcesByItsTolerance)
     settings.thickness = 0.1;
     settings.cutOff = 1;
 
-    const box space(cube(3));
+    const periodicBox space(cube(3));
     const platelets all(scatter(400, vector::Constant(3)));
 
     for (const double tolerance : {1e-4, 1e-7})

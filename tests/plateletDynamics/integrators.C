@@ -13,7 +13,7 @@ Description
 namespace
 {
 
-const box openSpace;
+const periodicBox openSpace;
 
 engineSettings settings(const std::string& integrator, double deltaT)
 {

@@ -27,7 +27,7 @@ engineSettings exactSettings()
 double netForceError
 (
     const platelets& all,
-    const box& space,
+    const periodicBox& space,
     const engineSettings& settings,
     sharing how
 )
@@ -122,7 +122,7 @@ TEST(netForce, isTheDoubleSumBetweenWalls)
 
     for (const bool pore : {false, true})
     {
-        const box space(cube(3, !pore, !pore, false));
+        const periodicBox space(cube(3, !pore, !pore, false));
         const vector x(3, 0, 0);
         const vector y(0, 3, 0);
         const vector z(0, 0, 2);

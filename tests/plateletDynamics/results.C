@@ -34,7 +34,7 @@ const auto law = std::make_shared<repulsion>();
 std::vector<vector> places
 (
     const engine& system,
-    const box& space,
+    const periodicBox& space,
     std::size_t total
 )
 {
@@ -87,7 +87,7 @@ bool sameBits(const std::vector<vector>& a, const std::vector<vector>& b)
 
 TEST(results, doNotDependOnTheRanks)
 {
-    const box space(cube(3));
+    const periodicBox space(cube(3));
     const platelets all(drifting(200, 3));
 
     engine alone(space, {}, law, settings(), MPI_COMM_SELF);
@@ -121,7 +121,7 @@ TEST(results, doNotDependOnTheSkin)
     // Also in a box so small that the whole skin asked for does not fit
     for (const double edge : {3.0, 2.1})
     {
-        const box space(cube(edge));
+        const periodicBox space(cube(edge));
         const int count = int(7*edge*edge*edge);
         const platelets all(drifting(count, edge));
 
@@ -150,7 +150,7 @@ TEST(results, doNotDependOnTheSkin)
 
 TEST(results, doNotDependOnTheOrderOfLoading)
 {
-    const box space(cube(3));
+    const periodicBox space(cube(3));
     platelets all(drifting(200, 3));
 
     const auto run = [&](const platelets& loaded)
@@ -176,7 +176,7 @@ TEST(results, doNotDependOnTheOrderOfLoading)
 
 TEST(results, areTheSameBitsAfterARestart)
 {
-    const box space(cube(3, true, true, false));
+    const periodicBox space(cube(3, true, true, false));
     const platelets all(drifting(200, 3));
 
     engine through(space, {}, law, settings(), MPI_COMM_WORLD);
@@ -219,7 +219,7 @@ TEST(results, continueAcrossCallsWithoutNewLists)
 {
     // Twice round the box; the wrapping at the end of a call must not disturb
     // the lists, nor a long call need it
-    const box space(cube(3));
+    const periodicBox space(cube(3));
     platelets all(drifting(100, 3));
     for (vector& velocity : all.waterVelocity)
     {
@@ -255,7 +255,7 @@ TEST(results, continueAcrossCallsWithoutNewLists)
 
 TEST(momentum, isZeroWithoutWalls)
 {
-    const box space(cube(3));
+    const periodicBox space(cube(3));
     const platelets all(scatter(400, vector::Constant(3)));
 
     for (const auto kernel :
@@ -283,7 +283,7 @@ TEST(momentum, isZeroWithoutWalls)
 
 TEST(virial, isTheSumOverPairs)
 {
-    const box space(cube(2.4));
+    const periodicBox space(cube(2.4));
     const platelets all(scatter(100, vector::Constant(2.4)));
 
     double expected = 0;
@@ -308,7 +308,7 @@ TEST(virial, isTheSumOverPairs)
 
 TEST(crossings, countPassagesThroughPeriodicEnds)
 {
-    const box space(cube(3, true, true, false));
+    const periodicBox space(cube(3, true, true, false));
     engine system
     (
         space, {}, std::make_shared<noForce>(), settings(), MPI_COMM_WORLD

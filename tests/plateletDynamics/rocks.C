@@ -30,7 +30,7 @@ double planeForce(const gapForce& law, double distance)
 }
 
 
-const box openSpace;
+const periodicBox openSpace;
 
 } // End namespace
 

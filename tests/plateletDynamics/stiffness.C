@@ -29,7 +29,7 @@ engineSettings settings()
 double fastestDecay
 (
     const platelets& all,
-    const box& space,
+    const periodicBox& space,
     const gapForce& law
 )
 {
@@ -69,7 +69,7 @@ double fastestDecay
 double bound
 (
     const platelets& all,
-    const box& space,
+    const periodicBox& space,
     std::shared_ptr<const gapForce> law
 )
 {
@@ -85,7 +85,7 @@ TEST(stiffness, boundsTheFastestDecayByAtMostTwice)
 {
     for (const unsigned seed : {1, 2, 3})
     {
-        const box space(cube(2.5, true, true, false));
+        const periodicBox space(cube(2.5, true, true, false));
         const platelets all(scatter(20, vector(2.5, 2.5, 2.5), seed));
 
         for (const auto& law :
@@ -122,7 +122,7 @@ TEST(stiffness, isExactBetweenHeldPlatelets)
     all.fixed[1] = 1;
 
     const auto law = std::make_shared<repulsion>();
-    engine system(box(), wall, law, settings(), MPI_COMM_WORLD);
+    engine system(periodicBox(), wall, law, settings(), MPI_COMM_WORLD);
     system.load(share(all, sharing::dealt));
 
     EXPECT_NEAR
@@ -149,7 +149,7 @@ TEST(stiffness, countsWhatAttractionHoldsSideways)
     const auto law = std::make_shared<mixedForce>();
     ASSERT_GT(law->slope(1.6), 0);
 
-    engine system(box(), {}, law, chosen, MPI_COMM_WORLD);
+    engine system(periodicBox(), {}, law, chosen, MPI_COMM_WORLD);
     system.load(share(all, sharing::dealt));
 
     EXPECT_NEAR(system.stiffness(), -2*law->force(1.6)/1.7, 1e-14);

@@ -30,7 +30,7 @@ double planeForce(double distance)
 }
 
 
-const box openSpace;
+const periodicBox openSpace;
 
 } // End namespace
 
@@ -157,7 +157,7 @@ TEST(walls, inACornerActOneByOne)
 TEST(walls, ofAPeriodicBoxHaveNoSeam)
 {
     // A floor as wide as the box: on the seam too it acts as one plane
-    const box space(cube(2.5, true, true, false));
+    const periodicBox space(cube(2.5, true, true, false));
     boundarySurface floor;
     addSheet
     (
@@ -184,7 +184,7 @@ TEST(walls, ofAPeriodicBoxHaveNoSeam)
 TEST(walls, andTheirImagesAreSeveralWalls)
 {
     // A rock in a periodic box, the platelet between it and its image
-    const box space(cube(2.2, true, false, false));
+    const periodicBox space(cube(2.2, true, false, false));
     boundarySurface rock;
     addRock
     (
@@ -273,7 +273,7 @@ TEST(walls, letNoForceOfPairsThrough)
 TEST(changeForce, isAsIfItHadBeenSoFromTheStart)
 {
     // A rock whose image is too far away for the first cut-off
-    const box space(cube(4, true, true, false));
+    const periodicBox space(cube(4, true, true, false));
     boundarySurface rock;
     addRock
     (

@@ -121,7 +121,7 @@ Foam::clayCloud::clayCloud
     checkCount(labelList());
     const reducedUnits& units = interactions_.units();
 
-    plateletDynamics::box space;
+    plateletDynamics::periodicBox space;
     for (direction axis = 0; axis < 3; ++axis)
     {
         space.periodic[axis] = axes_.periodic(axis);

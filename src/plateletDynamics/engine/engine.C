@@ -13,7 +13,7 @@ namespace plateletDynamics
 
 engine::engine
 (
-    const box& space,
+    const periodicBox& space,
     const boundarySurface& limits,
     std::shared_ptr<const gapForce> force,
     const engineSettings& settings,

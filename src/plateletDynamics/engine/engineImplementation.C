@@ -68,7 +68,7 @@ void check(const engineSettings& settings)
 
 engine::implementation::implementation
 (
-    const box& space,
+    const periodicBox& space,
     const boundarySurface& limits,
     std::shared_ptr<const gapForce> force,
     const engineSettings& settings,

@@ -49,7 +49,7 @@ std::vector<bounds> allBounds
 } // End namespace
 
 
-halo::halo(const rankGroup& ranks, const box& space)
+halo::halo(const rankGroup& ranks, const periodicBox& space)
 :
     ranks_(ranks),
     space_(space)

@@ -28,7 +28,7 @@ constexpr double defaultSkin = 0.12;
 neighbourhood::neighbourhood
 (
     const rankGroup& ranks,
-    const box& space,
+    const periodicBox& space,
     const boundarySurface& limits
 )
 :

@@ -41,7 +41,7 @@ bounds wallRegions::triangle::around() const
 wallRegions::wallRegions
 (
     const boundarySurface& surface,
-    const box& space,
+    const periodicBox& space,
     double reach
 )
 {
@@ -55,7 +55,7 @@ wallRegions::wallRegions
 void wallRegions::addImages
 (
     const boundarySurface& surface,
-    const box& space
+    const periodicBox& space
 )
 {
     // Whole images, so that what is connected through one stays connected
@@ -75,7 +75,7 @@ void wallRegions::addImages
 }
 
 
-void wallRegions::dropFar(const box& space, double reach)
+void wallRegions::dropFar(const periodicBox& space, double reach)
 {
     const auto far = [&](const triangle& t)
     {

@@ -4,14 +4,14 @@
 
 \*---------------------------------------------------------------------------*/
 
-#include "box.H"
+#include "periodicBox.H"
 
 #include <cmath>
 
 namespace plateletDynamics
 {
 
-std::array<int, 3> box::wrap(vector& place) const
+std::array<int, 3> periodicBox::wrap(vector& place) const
 {
     std::array<int, 3> outside{0, 0, 0};
 
@@ -39,7 +39,7 @@ std::array<int, 3> box::wrap(vector& place) const
 }
 
 
-std::vector<vector> box::shifts() const
+std::vector<vector> periodicBox::shifts() const
 {
     std::vector<vector> all{vector::Zero()};
     for (int axis = 0; axis < 3; ++axis)
