@@ -20,77 +20,121 @@ Description
 
 #include "argList.H"
 #include "IOdictionary.H"
+#include "sigFpe.H"
+#include "stringOps.H"
 #include "Time.H"
 
+#include <cmath>
 #include <fstream>
+#include <sstream>
 
 using namespace Foam;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- The numbers of an option, each above lower and below upper. FatalError
-//  otherwise
+//- What an option's numbers may be: above lower, below upper, one or a list
+struct numericOption
+{
+    word name;
+    word unit;
+    scalar lower;
+    scalar upper;
+    bool list;
+};
+
+
+//- FatalError: what is wrong with an option's value, and what would be right
+static void refuse
+(
+    const numericOption& option,
+    const string& value,
+    const string& problem
+)
+{
+    FatalErrorInFunction
+        << "Option -" << option.name << " '" << value.c_str() << "': "
+        << problem.c_str() << nl
+        << "Valid: numbers above " << option.lower << " and below "
+        << option.upper << " [" << option.unit << "]"
+        << (option.list ? ", more than one in brackets" : ", one") << nl
+        << exit(FatalError);
+}
+
+
+//- The numbers of an option, 'number' or '(number ...)', the defaults without
+//  it. FatalError if there are none, or if something else is among them
 static scalarList numbersOf
 (
     const argList& args,
-    const word& option,
-    const scalar lower,
-    const scalar upper,
+    const numericOption& option,
     const scalarList& defaults
 )
 {
-    if (!args.found(option))
+    if (!args.found(option.name))
     {
         return defaults;
     }
 
-    const scalarList numbers(args.getList<scalar>(option));
+    const string value(args[option.name]);
+    const bool opens = value.find('(') != string::npos;
+    const bool closes = value.find(')') != string::npos;
+    string inside(stringOps::trim(value));
+
+    if (opens || closes)
+    {
+        if
+        (
+            inside.front() != '(' || inside.back() != ')'
+         || inside.find('(', 1) != string::npos
+         || inside.find(')') != inside.size() - 1
+        )
+        {
+            refuse(option, value, "not a list in one pair of brackets");
+        }
+
+        inside = inside.substr(1, inside.size() - 2);
+    }
+
+    // What is too large for a double must not end in a stack trace
+    const sigFpe::ignore noTraps;
+
+    DynamicList<scalar> numbers;
+    std::istringstream words(inside);
+
+    for (std::string word; words >> word;)
+    {
+        scalar number;
+
+        if (!readScalar(word, number) || !std::isfinite(number))
+        {
+            refuse(option, value, word + " is not a number");
+        }
+        if (number <= option.lower)
+        {
+            refuse(option, value, word + " is too small");
+        }
+        if (number >= option.upper)
+        {
+            refuse(option, value, word + " is too large");
+        }
+
+        numbers.append(number);
+    }
 
     if (numbers.empty())
     {
-        FatalErrorInFunction
-            << "Option -" << option << " has no numbers" << nl
-            << exit(FatalError);
+        refuse(option, value, "no numbers");
     }
-
-    for (const scalar number : numbers)
+    if (numbers.size() > 1 && !option.list)
     {
-        if (!(number > lower && number < upper))
-        {
-            FatalErrorInFunction
-                << "Option -" << option << ": " << number << nl
-                << "Valid: above " << lower << " and below " << upper << nl
-                << exit(FatalError);
-        }
+        refuse(option, value, "takes one number");
     }
-
-    return numbers;
-}
-
-
-//- The one number of an option, likewise
-static scalar numberOf
-(
-    const argList& args,
-    const word& option,
-    const scalar lower,
-    const scalar upper,
-    const scalar defaultValue
-)
-{
-    const scalarList numbers
-    (
-        numbersOf(args, option, lower, upper, {defaultValue})
-    );
-
-    if (numbers.size() != 1)
+    if (numbers.size() > 1 && !opens)
     {
-        FatalErrorInFunction
-            << "Option -" << option << " takes one number" << nl
-            << exit(FatalError);
+        refuse(option, value, "several numbers without brackets");
     }
 
-    return numbers[0];
+    return scalarList(numbers);
 }
 
 
@@ -147,7 +191,10 @@ int main(int argc, char *argv[])
         "Print laws, scales and expected cost of a case. Needs no mesh"
     );
     argList::noParallel();
-    argList::addOption("csv", "file", "Write the laws, a row per gap/fraction");
+    argList::addOption
+    (
+        "csv", "file", "Write the laws, a row per -gap and per -fraction"
+    );
     argList::addOption("gap", "list", "Gaps of -csv [m], e.g. '(1e-9 1e-8)'");
     argList::addOption
     (
@@ -157,7 +204,7 @@ int main(int argc, char *argv[])
     argList::addOption("velocity", "u0", "Of the water [m/s], default 1e-5");
     argList::addOption
     (
-        "secondsPerParticleStep", "s", "What a step costs [s], default 1e-6"
+        "secondsPerParticleStep", "s", "What a step costs [s], default 1e-6 (TR-17-13)"
     );
 
     argList args(argc, argv);
@@ -167,17 +214,48 @@ int main(int argc, char *argv[])
         FatalError.exit();
     }
 
-    const scalarList gaps(numbersOf(args, "gap", 0, 1, scalarList()));
+    if (args.found("gap") && !args.found("csv"))
+    {
+        FatalErrorInFunction
+            << "Option -gap needs -csv FILE, the file it writes a row per gap"
+            << " to" << nl << exit(FatalError);
+    }
+    if (args.found("csv") && !args.found("gap") && !args.found("fraction"))
+    {
+        FatalErrorInFunction
+            << "Option -csv needs -gap LIST or -fraction LIST, or both: a row"
+            << " is written for each" << nl << exit(FatalError);
+    }
+
+    // From 1e-25 m on, the gap's solid fraction is 1 to all digits
+    const scalarList gaps
+    (
+        numbersOf(args, {"gap", "m", 1e-15, 1, true}, {})
+    );
     const scalarList fractions
     (
-        numbersOf(args, "fraction", 0, 1, {0.001, 0.005, 0.01})
+        numbersOf
+        (
+            args,
+            {"fraction", "-", 0, 1, true},
+            args.found("csv") ? scalarList() : scalarList{0.001, 0.005, 0.01}
+        )
     );
+
+    const auto positive =
+    [&](const word& option, const word& unit, const scalar defaultValue)
+    {
+        return numbersOf
+        (
+            args, {option, unit, 0, GREAT, false}, {defaultValue}
+        )[0];
+    };
     scaleTable::run run
     {
-        numberOf(args, "length", 0, GREAT, 0.01),
-        numberOf(args, "velocity", 0, GREAT, 1e-5),
+        positive("length", "m", 0.01),
+        positive("velocity", "m/s", 1e-5),
         0,
-        numberOf(args, "secondsPerParticleStep", 0, GREAT, 1e-6)
+        positive("secondsPerParticleStep", "s", 1e-6)
     };
 
     Time runTime(Time::controlDictName, args);
@@ -203,7 +281,7 @@ int main(int argc, char *argv[])
             args.get<fileName>("csv"),
             lawTable(properties, water, model),
             gaps,
-            args.found("fraction") || gaps.empty() ? fractions : scalarList()
+            fractions
         );
     }
     else
