@@ -7,6 +7,7 @@
 #include "coagulation.H"
 #include "SubList.H"
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 
@@ -105,8 +106,9 @@ void Foam::scaleTable::writeWater(Ostream& os) const
     if (negative.found)
     {
         os  << nl
-            << "  This water is above the CCC: D < 0, clay does not spread"
-            << nl;
+            << "  Above the CCC: aggregates, not a gel or sol; laws of repulsion"
+            << " hold pairwise" << nl
+            << "  D < 0, clay does not spread" << nl;
         line(os, "    from fraction", negative.lower, "");
         line(os, "    to fraction", negative.upper, "");
     }
@@ -131,13 +133,7 @@ void Foam::scaleTable::writeFractions
         [&](scalar f)
         { return doubleLayer_->force(scales_.gapAtSpacing(f)); });
     line(os, "van der Waals / double layer at L", "", phi,
-        [&](scalar f)
-        {
-            return scales_.vanDerWaalsOverDoubleLayer
-            (
-                scales_.gapAtSpacing(f)
-            );
-        });
+        [&](scalar f) { return attractionOverRepulsion(f); });
 
     std::ostringstream range;
     range << "range of " << run_.tolerance << " of the force at L";
@@ -201,12 +197,16 @@ void Foam::scaleTable::writeCost(Ostream& os, const UList<scalar>& phi) const
     const law hours = [&](scalar f)
     {
         return
-            rimPlatelets(f)*rimSteps(f)*run_.secondsPerParticleStep/3600;
+            rims(f)
+          ? rimPlatelets(f)*rimSteps(f)*run_.secondsPerParticleStep/3600
+          : GREAT;
     };
 
-    os  << nl << "Cost of this rim until steady, 2.1 cut-offs deep, with"
-        << " -secondsPerParticleStep " << nl << run_.secondsPerParticleStep
-        << " on one core (a run's end tells its own)" << nl;
+    os  << nl << "Cost of this rim until steady, 2.1 cut-offs deep, at "
+        << run_.secondsPerParticleStep << " s of a" << nl
+        << "core per platelet and step (default 1e-6: TR-17-13); clayFoam's"
+        << " last lines" << nl
+        << "tell your own figure, give it as -secondsPerParticleStep" << nl;
 
     line(os, "platelets", "", phi,
         [&](scalar f) { return rimPlatelets(f); });
@@ -219,7 +219,49 @@ void Foam::scaleTable::writeCost(Ostream& os, const UList<scalar>& phi) const
     // Depth and step follow the parcels: parcels as alpha^-2, steps as
     // alpha^-2
     line(os, "coarseGraining for one core hour", "", phi,
-        [&](scalar f) { return std::pow(max(hours(f), scalar(1)), 0.25); });
+        [&](scalar f)
+        {
+            return
+                rims(f) ? std::pow(max(hours(f), scalar(1)), 0.25) : GREAT;
+        });
+}
+
+
+void Foam::scaleTable::writeNotes(Ostream& os, const UList<scalar>& phi) const
+{
+    const auto any = [&](const auto& is)
+    {
+        return std::any_of(phi.begin(), phi.end(), is);
+    };
+
+    if (any([&](scalar f) { return !rims(f); }))
+    {
+        os  << nl
+            << "  D < 0: van der Waals attraction outweighs repulsion there"
+            << " (coagulation);" << nl
+            << "  '-': there is no rim, and no time or cost of one" << nl;
+    }
+
+    if (any([&](scalar f) { return attractionOverRepulsion(f) >= GREAT; }))
+    {
+        os  << nl << "  '-' of van der Waals / double layer: above " << GREAT
+            << ", no repulsion is left at L" << nl;
+    }
+}
+
+
+bool Foam::scaleTable::rims(const scalar fraction) const
+{
+    return diffusivity_.value(fraction) > 0;
+}
+
+
+Foam::scalar Foam::scaleTable::attractionOverRepulsion
+(
+    const scalar fraction
+) const
+{
+    return scales_.vanDerWaalsOverDoubleLayer(scales_.gapAtSpacing(fraction));
 }
 
 
@@ -234,13 +276,14 @@ Foam::scalar Foam::scaleTable::edgeViscosity(const scalar fraction) const
 
 Foam::scalar Foam::scaleTable::rimThickness(const scalar fraction) const
 {
-    const scalar D = diffusivity_.value(fraction);
-
     return
-        D > 0
+        rims(fraction)
       ? colloid::scales::rimThickness
         (
-            run_.length, run_.velocity, D, edgeViscosity(fraction)
+            run_.length,
+            run_.velocity,
+            diffusivity_.value(fraction),
+            edgeViscosity(fraction)
         )
       : GREAT;
 }
@@ -322,6 +365,7 @@ void Foam::scaleTable::write
         writeFractions(os, phi);
         writeRim(os, phi);
         writeCost(os, phi);
+        writeNotes(os, phi);
     }
 
     os  << endl;
