@@ -1,39 +1,54 @@
 # bentoFoam, GPL-3.0-or-later
 # Profiles across the fracture that a function object `profile` of the type
-# clayProfile wrote: solid fraction at six times, velocity of the water at the
-# first and the last of them. In a case, after a run from time 0:
+# clayProfile wrote: solid fraction and velocity of the water, at up to six
+# evenly spaced times. In a case, after a run from time 0:
 #     gnuplot <bentoFoam>/etc/plots/clayProfile.gp
 
 file = "postProcessing/profile/0/profile.dat"
 
+# The last time, and every stride-th one before it
 stats file using 1 nooutput
 blocks = STATS_blocks - 1     # the last is empty
-lines = 6
-array block[lines]
+stride = ceil(blocks/6.0)
+first = (blocks - 1) % stride
+lines = (blocks - 1 - first)/stride + 1
+block(k) = first + (k - 1)*stride
+
 array time[lines]
 do for [k = 1:lines] {
-    block[k] = int((k - 1)*(blocks - 1.0)/(lines - 1) + 0.5)
-    stats file index block[k] using 1 nooutput
+    stats file index block(k) using 1 nooutput
     time[k] = STATS_min
 }
-shades = "#c6dbef #9ecae1 #6baed6 #4292c6 #2171b5 #08306b"
+name(k) = time[lines] < 1 ? sprintf("%.4g ms", 1e3*time[k]) : sprintf("%.4g s", time[k])
 
+stats file using 2 nooutput
+unit = STATS_max < 1e-3 ? "µm" : "mm"
+scale = STATS_max < 1e-3 ? 1e6 : 1e3
+
+# Darker with time
+shade(k) = word("#a6cee3 #6fb1d8 #3f8fc5 #2171b5 #0b4f94 #062a5e", 6 - lines + k)
+
+set encoding utf8
 set terminal pngcairo size 1200, 550 font "sans,13" noenhanced
 system("mkdir -p plots")
 set output "plots/profile.png"
 
 set multiplot layout 1, 2
-set grid lc rgb "#dddddd"
-set xlabel "distance from the gel's wall [um]"
-set key top right
+set grid lt 1 lc rgb "#dddddd"
+set key title "time" samplen 2 spacing 1.1
+set xlabel sprintf("distance from the gel's wall [%s]", unit)
+set offsets 0, 0, graph 0.04, 0
+set xrange [0:*]
 
+set key top right
 set ylabel "solid fraction alpha.clay [-]"
 set yrange [0:*]
-plot for [k = 1:lines] file index block[k] using ($2*1e6):3 with lines lw 2 \
-    lc rgb word(shades, k) title sprintf("%.3g ms", 1e3*time[k])
+plot for [k = 1:lines] file index block(k) using ($2*scale):3 \
+    with lines lw 2.5 lc rgb shade(k) title name(k)
 
-set ylabel "velocity of the water along x [mm/s]"
 set key bottom right
-plot for [k = 1:lines:lines - 1] file index block[k] using ($2*1e6):($4*1e3) \
-    with lines lw 2 lc rgb word(shades, k) title sprintf("%.3g ms", 1e3*time[k])
+set ylabel "velocity of the water along x [mm/s]"
+set yrange [*:*]
+plot for [k = 1:lines] file index block(k) using ($2*scale):($4*1e3) \
+    with lines lw 2.5 lc rgb shade(k) title name(k)
 unset multiplot
