@@ -3,85 +3,122 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 
 Description
-    Net forces against a plain double sum, on any number of ranks.
+    Net forces against a plain double sum, on any number of ranks, of every
+    kernel on every set of vector instructions that the processor has.
 \*---------------------------------------------------------------------------*/
 
 #include "testSurfaces.H"
+
+#include "vectorLoops.H"
 
 #include <gtest/gtest.h>
 
 namespace
 {
 
-engineSettings exactSettings()
+//- A kernel, and the error of net forces over the largest that it may have
+struct choice
+{
+    engineSettings::kernel kernel;
+    std::string instructions;
+    double bound;
+};
+
+
+//- Of this processor
+std::vector<std::string> allInstructions()
+{
+    std::vector<std::string> all;
+    for (const char* name : {"AVX3", "AVX2", "SSE4", "SSSE3", "plain"})
+    {
+        try
+        {
+            plateletDynamics::vectorLoops::choose(name);
+            all.push_back(name);
+        }
+        catch (const userError&)
+        {}
+    }
+    return all;
+}
+
+
+//- 1e-12: a sum of some hundred terms in another order. Tables: a tolerance of
+//  1e-5 for each pair, of which the largest do not add up
+std::vector<choice> allChoices()
+{
+    std::vector<choice> all
+    {
+        {engineSettings::kernel::exact, "best", 1e-12},
+        {engineSettings::kernel::table, "best", 1e-5}
+    };
+    for (const std::string& instructions : allInstructions())
+    {
+        all.push_back({engineSettings::kernel::fast, instructions, 1e-5});
+    }
+    return all;
+}
+
+
+engineSettings settingsOf(const choice& chosen)
 {
     engineSettings settings;
     settings.thickness = 0.1;
     settings.cutOff = 1;
-    settings.pairKernel = engineSettings::kernel::exact;
+    settings.pairKernel = chosen.kernel;
+    settings.instructions = chosen.instructions;
+    settings.tableTolerance = 1e-5;
     return settings;
 }
 
 
-//- Largest difference from the double sum over the largest force
-double netForceError
-(
-    const platelets& all,
-    const periodicBox& space,
-    const engineSettings& settings,
-    sharing how
-)
+//- Expect of every kernel, for platelets shared in every way, the double sum
+void expectDoubleSum(const platelets& all, const periodicBox& space)
 {
     const auto law = std::make_shared<mixedForce>();
 
-    engine system(space, {}, law, settings, MPI_COMM_WORLD);
-    system.load(share(all, how));
-    system.evaluate();
-
-    const std::vector<vector> expected(doubleSum(all, space, *law, settings));
-
-    return
-        largestDifference
+    for (const choice& chosen : allChoices())
+    {
+        const engineSettings settings(settingsOf(chosen));
+        const std::vector<vector> expected
         (
-            gather(system.local(), system.local().force, all.size()), expected
-        )
-       /largest(expected);
+            doubleSum(all, space, *law, settings)
+        );
+
+        for (const sharing how : {sharing::slabs, sharing::dealt})
+        {
+            engine system(space, {}, law, settings, MPI_COMM_WORLD);
+            system.load(share(all, how));
+            system.evaluate();
+
+            EXPECT_LT
+            (
+                largestDifference
+                (
+                    gather(system.local(), system.local().force, all.size()),
+                    expected
+                ),
+                chosen.bound*largest(expected)
+            )   << system.kernelName();
+        }
+    }
 }
 
 } // End namespace
 
 
-// 1e-12: a sum of some hundred terms in another order
-
 TEST(netForce, isTheDoubleSumInAnOpenBox)
 {
-    const platelets all(scatter(300, vector(4, 3, 2)));
-
-    for (const sharing how : {sharing::slabs, sharing::dealt})
-    {
-        EXPECT_LT
-        (
-            netForceError
-            (
-                all, cube(4, false, false, false), exactSettings(), how
-            ),
-            1e-12
-        );
-    }
+    expectDoubleSum
+    (
+        scatter(300, vector(4, 3, 2)), cube(4, false, false, false)
+    );
 }
 
 
 TEST(netForce, isTheDoubleSumInAPeriodicBox)
 {
-    const platelets all(scatter(300, vector(3.3, 3.3, 3.3)));
-
-    for (const sharing how : {sharing::slabs, sharing::dealt})
-    {
-        EXPECT_LT
-        (
-            netForceError(all, cube(3.3), exactSettings(), how), 1e-12
-        );
-    }
+    expectDoubleSum(scatter(300, vector(3.3, 3.3, 3.3)), cube(3.3));
 }
 
 
@@ -89,29 +126,106 @@ TEST(netForce, isTheDoubleSumInABoxOfTwoCutOffs)
 {
     for (const double edge : {2.0, 2.1})
     {
-        const platelets all(scatter(120, vector::Constant(edge)));
-
-        EXPECT_LT
-        (
-            netForceError(all, cube(edge), exactSettings(), sharing::slabs),
-            1e-12
-        );
+        expectDoubleSum(scatter(120, vector::Constant(edge)), cube(edge));
     }
 }
 
 
 TEST(netForce, isTheDoubleSumWhereOneAxisIsPeriodic)
 {
-    const platelets all(scatter(300, vector(4, 2.5, 2)));
-
-    EXPECT_LT
+    expectDoubleSum
     (
-        netForceError
-        (
-            all, cube(2.5, false, true, false), exactSettings(), sharing::slabs
-        ),
-        1e-12
+        scatter(300, vector(4, 2.5, 2)), cube(2.5, false, true, false)
     );
+}
+
+
+// Far from the origin, where single precision would lose the differences
+TEST(netForce, isTheDoubleSumFarFromTheOrigin)
+{
+    platelets all(scatter(300, vector(4, 3, 2)));
+    for (vector& x : all.position)
+    {
+        x += vector(3e5, -2e6, 1e4);
+    }
+    expectDoubleSum(all, cube(4, false, false, false));
+}
+
+
+TEST(netForce, ofAllInstructionsIsTested)
+{
+    // The last one is for any processor
+    const auto names = allInstructions();
+    ASSERT_FALSE(names.empty());
+    EXPECT_EQ(names.back(), "plain");
+
+    for (const std::string& name : names)
+    {
+        EXPECT_EQ(plateletDynamics::vectorLoops::choose(name).name, name);
+    }
+    EXPECT_THROW(plateletDynamics::vectorLoops::choose("AVX"), userError);
+}
+
+
+// A pair as near as a gap of a thousandth of the spacing, among others
+TEST(netForce, ofAClosePairIsExact)
+{
+    platelets all(scatter(300, vector(4, 3, 2)));
+    all.position[17] = all.position[42] + vector(0.1001, 0, 0);
+    const periodicBox space(cube(4, false, false, false));
+
+    // 1/gap^3: the pair's force is all that counts
+    struct steep
+    :
+        repulsion
+    {
+        double force(double gap) const override
+        {
+            return 1e-9/(gap*gap*gap);
+        }
+
+        double slope(double gap) const override
+        {
+            return -3*force(gap)/gap;
+        }
+
+        double contactGap() const override
+        {
+            return 1e-5;
+        }
+    };
+    const steep law;
+
+    for (choice chosen : allChoices())
+    {
+        const engineSettings settings(settingsOf(chosen));
+        const auto expected = doubleSum(all, space, law, settings);
+
+        engine system
+        (
+            space, {}, std::make_shared<steep>(), settings, MPI_COMM_WORLD
+        );
+        system.load(share(all));
+        system.evaluate();
+        const auto force =
+            gather(system.local(), system.local().force, all.size());
+
+        for (const int k : {17, 42})
+        {
+            EXPECT_LT
+            (
+                (force[k] - expected[k]).norm(), 1e-10*expected[k].norm()
+            )   << system.kernelName();
+        }
+
+        // Else it would not have been tried
+        EXPECT_EQ
+        (
+            system.kernelName().find("polynomials") != std::string::npos,
+            chosen.kernel == engineSettings::kernel::fast
+         && chosen.instructions != "plain"
+        );
+    }
 }
 
 
@@ -136,7 +250,7 @@ TEST(netForce, isTheDoubleSumBetweenWalls)
             addSheet(walls, y, x, z, action::platelet, 7);
         }
 
-        const engineSettings settings(exactSettings());
+        const engineSettings settings(settingsOf(allChoices().front()));
         const mixedForce law;
 
         // A wall at a distance acts as a platelet at the same gap

@@ -152,7 +152,7 @@ Foam::clayCloud::clayCloud
             << "There is no clay: setClay placed no platelet. Spacing, cut-off"
             << " and effects below mean nothing" << nl << endl;
     }
-    interactions_.print(Info);
+    interactions_.print(Info, engine_->kernelName());
     waterLimits::print(Info, mesh, properties_);
     checkFilterLength();
 

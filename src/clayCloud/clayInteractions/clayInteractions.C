@@ -358,8 +358,8 @@ void Foam::clayInteractions::chooseEngine()
     settings_.pairKernel =
         properties_.exactKernel() || cutOff_ > 100*state_.spacing
       ? engineSettings::kernel::exact
-      : engineSettings::kernel::table;
-    settings_.tableTolerance = 1e-4*properties_.tolerance();
+      : engineSettings::kernel::fast;
+    settings_.tableTolerance = 1e-3*properties_.tolerance();
     settings_.integrator =
         integrator == "auto" ? word("AdamsBashforth2") : integrator;
     settings_.deltaT =
@@ -412,7 +412,11 @@ Foam::scalar Foam::clayInteractions::filterLength() const
 }
 
 
-void Foam::clayInteractions::print(Ostream& os) const
+void Foam::clayInteractions::print
+(
+    Ostream& os,
+    const std::string& kernelName
+) const
 {
     const auto said = [](const scalar number)
     {
@@ -430,12 +434,7 @@ void Foam::clayInteractions::print(Ostream& os) const
         << said(properties_.cutOff()) << "), "
         << cutOff_/state_.spacing << " spacings; force left out "
         << forceLeftOut(state_.placedAt) << nl
-        << "    kernel           "
-        << (
-               settings_.pairKernel
-            == plateletDynamics::engineSettings::kernel::exact
-             ? "exact" : "table"
-           ) << nl
+        << "    kernel           " << kernelName.c_str() << nl
         << "    integrator       " << settings_.integrator.c_str() << " ("
         << properties_.integrator() << "), engineDeltaT "
         << said(properties_.engineDeltaT()) << nl

@@ -118,6 +118,12 @@ const engineCounters& engine::counters() const
 }
 
 
+std::string engine::kernelName() const
+{
+    return implementation_->kernelName();
+}
+
+
 double engine::skin() const
 {
     return implementation_->skin();

@@ -262,6 +262,7 @@ void halo::refresh(kernelPoints& points)
     }
 
     wait(requests);
+    points.setPlaces(points.owned, points.size());
 }
 
 } // End namespace plateletDynamics

@@ -178,7 +178,7 @@ void neighbourList::build(const kernelPoints& points, double range)
     start_.assign(points.owned + 1, 0);
     std::partial_sum(count.begin(), count.end(), start_.begin() + 1);
 
-    neighbour_.resize(start_.back() + 1);
+    neighbour_.assign(start_.back() + mostLanes, 0);
     for (std::size_t k = 0; k < points.owned; ++k)
     {
         std::copy_n

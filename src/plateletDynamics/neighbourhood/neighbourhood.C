@@ -41,6 +41,9 @@ neighbourhood::neighbourhood
 
 void neighbourhood::setRange(double cutOff, double wallCutOff, double skin)
 {
+    // A skin of a cut-off at most: pairs of the lists are far less than half a
+    // lattice apart
+    points_.unit = std::ldexp(cutOff, -27);
     cutOff_ = cutOff;
     wallCutOff_ = wallCutOff;
     skin_ = skin > 0 ? skin : defaultSkin*cutOff;
@@ -70,6 +73,7 @@ void neighbourhood::setRange(double cutOff, double wallCutOff, double skin)
         // Images one period away are all that there are
         skin_ = std::min(skin_, period - cutOff);
     }
+    skin_ = std::min(skin_, cutOff);
 
     // Walls that reach farther than need be are right too
     if (!walls_ || cutOff_ + skin_ > wallsReach_)
@@ -148,6 +152,7 @@ void neighbourhood::place(const platelets& local)
             }
         }
     }
+    points_.setPlaces(0, local.size());
 }
 
 

@@ -9,6 +9,7 @@
 #include "exactLaw.H"
 #include "forceTable.H"
 #include "scalarKernel.H"
+#include "vectorKernel.H"
 
 namespace plateletDynamics
 {
@@ -25,6 +26,18 @@ std::unique_ptr<pairKernel> pairKernel::New
         (
             force, exactLaw(force)
         );
+    }
+
+    if (settings.pairKernel == engineSettings::kernel::fast)
+    {
+        auto vectors = std::make_unique<vectorKernel>
+        (
+            force, settings.tableTolerance, settings.instructions
+        );
+        if (vectors->valid())
+        {
+            return vectors;
+        }
     }
 
     return std::make_unique<scalarKernel<forceTable>>

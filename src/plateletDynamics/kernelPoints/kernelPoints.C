@@ -1,0 +1,56 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+\*---------------------------------------------------------------------------*/
+
+#include "kernelPoints.H"
+
+#include <limits>
+
+namespace plateletDynamics
+{
+
+namespace
+{
+
+//- Units beyond which a platelet is out of reach of all: absorbed
+constexpr double outOfReach = 1e18;
+
+//- The number of units, modulo 2^32
+std::int32_t units(double x, double perUnit)
+{
+    return std::int32_t(std::uint32_t(std::uint64_t(std::llrint(x*perUnit))));
+}
+
+} // End namespace
+
+
+void kernelPoints::setPlaces(std::size_t begin, std::size_t end)
+{
+    const double perUnit = 1/unit;
+
+    for (std::size_t k = begin; k < end; ++k)
+    {
+        const vector& x = position[k];
+
+        if (std::abs(x[0])*perUnit < outOfReach)
+        {
+            place[k] =
+            {
+                units(x[0], perUnit),
+                units(x[1], perUnit),
+                units(x[2], perUnit),
+                0
+            };
+        }
+        else if (!place[k].absorbed)
+        {
+            // Half a lattice away from its neighbours
+            place[k].x ^= std::numeric_limits<std::int32_t>::min();
+            place[k].absorbed = 1;
+        }
+    }
+}
+
+} // End namespace plateletDynamics
