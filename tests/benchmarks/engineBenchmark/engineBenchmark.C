@@ -1,0 +1,264 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Application
+    engineBenchmark
+
+Description
+    Times the engine (plateletDynamics) alone, without mesh and cloud: platelets
+    in a periodic cube, explicit Euler steps. Units: spacing d at the solid
+    fraction 0.01, force F(d), friction 1.
+
+    Prints a line per repeat of words and values: the wall time of a step over
+    the number of platelets (nanoseconds; all ranks together, not summed),
+    rebuilds of the lists, entries of the lists per platelet, the skin, share of
+    lists and forces in the time, and the memory that the engine added to the
+    process, per platelet. Writes forces and places for LAMMPS; see ../peer.
+\*---------------------------------------------------------------------------*/
+
+#include "argList.H"
+#include "benchmarkForce.H"
+#include "benchmarkPlaces.H"
+#include "engine.H"
+#include "PstreamReduceOps.H"
+#include "taperedForce.H"
+
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+
+#include <sys/resource.h>
+
+using namespace Foam;
+using namespace plateletDynamics;
+
+//- Largest memory that this process has had so far [bytes]
+double peakMemory()
+{
+    rusage use;
+    getrusage(RUSAGE_SELF, &use);
+    return 1024.0*use.ru_maxrss;
+}
+
+
+//- The engine's force as a table of LAMMPS (pair_style table), equidistant in
+//  the square of the distance
+void writeTable(const fileName& file, const taperedForce& force)
+{
+    const int n = 20001;
+    const double begin = 0.1;
+    const double end = force.cutOff();
+    const auto distance = [&](int i)
+    {
+        return std::sqrt(begin*begin + (end*end - begin*begin)*i/(n - 1));
+    };
+    const auto forceAt = [&](double r)
+    {
+        return force.force(r - force.thickness());
+    };
+
+    // LAMMPS takes the force as it stands; the energy, by Simpson's rule from
+    // the cut-off inwards, is only for its output
+    std::vector<double> energy(n, 0);
+    for (int i = n - 2; i >= 0; --i)
+    {
+        const double a = distance(i);
+        const double b = distance(i + 1);
+        energy[i] = energy[i + 1]
+          + (b - a)/6*(forceAt(a) + 4*forceAt((a + b)/2) + forceAt(b));
+    }
+
+    std::ofstream os(file);
+    os.precision(15);
+    os  << "# bentoFoam, cut-off " << end << "\n\nbentoFoam\nN " << n << " RSQ "
+        << begin << ' ' << end << "\n\n";
+    for (int i = 0; i < n; ++i)
+    {
+        os  << i + 1 << ' ' << distance(i) << ' ' << energy[i] << ' '
+            << forceAt(distance(i)) << '\n';
+    }
+    if (!os)
+    {
+        FatalErrorInFunction << "Cannot write " << file << exit(FatalError);
+    }
+}
+
+
+//- Restrict the vector instructions that the engine uses. The place for it:
+//  so far the engine has no choice
+void limitInstructions(const word& name)
+{
+    if (name != "best")
+    {
+        FatalErrorInFunction
+            << "The engine cannot be limited to the instructions " << name
+            << " yet: best" << exit(FatalError);
+    }
+}
+
+
+int main(int argc, char *argv[])
+{
+    argList::addNote("Time of the engine alone, per platelet and step");
+    argList::noBanner();
+    argList::noCheckProcessorDirectories();
+
+    argList::addOption("number", "N", "Platelets at random places (10000)");
+    argList::addOption("positions", "file", "Places from a data file of LAMMPS");
+    argList::addOption("cutOff", "d", "Where the force ends (2.5)");
+    argList::addOption("skin", "d", "Of the lists (0: the engine's choice)");
+    argList::addOption("kernel", "name", "table | exact (table)");
+    argList::addOption("instructions", "name", "Vector instructions: best");
+    argList::addOption("deltaT", "time", "Step of the engine (0.01)");
+    argList::addOption("warmUp", "S", "Steps before the clock runs (200)");
+    argList::addOption("steps", "S", "Steps of each repeat (100)");
+    argList::addOption("repeats", "R", "How often these are timed (1)");
+    argList::addOption("writeTable", "file", "Force for LAMMPS");
+    argList::addOption("writeData", "file", "Places at the end, for LAMMPS");
+    argList::addOption("writePositions", "file", "id x y z at the end");
+
+    argList args(argc, argv);
+
+    const label steps = args.getOrDefault<label>("steps", 100);
+    const label warmUp = args.getOrDefault<label>("warmUp", 200);
+    const label repeats = args.getOrDefault<label>("repeats", 1);
+    const scalar deltaT = args.getOrDefault<scalar>("deltaT", 0.01);
+    const word instructions
+    (
+        args.getOrDefault<word>("instructions", "best")
+    );
+    const word kernel(args.getOrDefault<word>("kernel", "table"));
+
+    const auto force = std::make_shared<benchmarkForce>();
+
+    engineSettings settings;
+    settings.thickness = force->thickness();
+    settings.cutOff = args.getOrDefault<scalar>("cutOff", 2.5);
+    settings.spacing = 1;
+    settings.skin = args.getOrDefault<scalar>("skin", 0);
+    settings.integrator = "Euler";
+    settings.deltaT = deltaT;
+    settings.pairKernel =
+        kernel == "exact"
+      ? engineSettings::kernel::exact
+      : engineSettings::kernel::table;
+
+    if (kernel != "exact" && kernel != "table")
+    {
+        FatalErrorInFunction
+            << "Unknown kernel " << kernel << ": table or exact"
+            << exit(FatalError);
+    }
+    limitInstructions(instructions);
+
+    if (args.found("writeTable") && Pstream::master())
+    {
+        writeTable
+        (
+            args["writeTable"],
+            taperedForce(force, settings.thickness, settings.cutOff)
+        );
+    }
+
+    const bool fromFile = args.found("positions");
+    const label number =
+        fromFile
+      ? benchmarkPlaces::numberIn(args["positions"])
+      : args.getOrDefault<label>("number", 10000);
+
+    platelets places
+    (
+        fromFile
+      ? benchmarkPlaces::read(args["positions"])
+      : benchmarkPlaces::random(number)
+    );
+
+    try
+    {
+        const double memory = peakMemory();
+
+        engine clay
+        (
+            benchmarkPlaces::cube(number),
+            boundarySurface(),
+            force,
+            settings,
+            Pstream::parRun() ? MPI_COMM_WORLD : MPI_COMM_SELF
+        );
+        clay.load(std::move(places));
+        clay.advance(warmUp*deltaT);
+
+        for (label repeat = 1; repeat <= repeats; ++repeat)
+        {
+            using clock = std::chrono::steady_clock;
+
+            const engineCounters before(clay.counters());
+            returnReduce(repeat, sumOp<label>());
+            const auto begun = clock::now();
+
+            clay.advance(steps*deltaT);
+
+            const double seconds = returnReduce
+            (
+                std::chrono::duration<double>(clock::now() - begun).count(),
+                maxOp<scalar>()
+            );
+            const engineCounters& after = clay.counters();
+            const auto total = [](const double x)
+            {
+                return returnReduce(x, sumOp<scalar>());
+            };
+            const auto share = [&](const double x)
+            {
+                return total(x)/Pstream::nProcs()/seconds;
+            };
+
+            const double lists = share(after.listSeconds - before.listSeconds);
+            const double forces =
+                share(after.forceSeconds - before.forceSeconds);
+            const double listed = total(after.listedPairs)/number;
+            const double bytes = total(peakMemory() - memory)/number;
+
+            if (Pstream::master())
+            {
+                std::printf
+                (
+                    "number %d ranks %d instructions %s kernel %s repeat %d"
+                    " nsPerParticleStep %.4g rebuilds %d listed %.1f skin %.3g"
+                    " listShare %.3f forceShare %.3f bytesPerPlatelet %.0f\n",
+                    int(number), Pstream::nProcs(), instructions.c_str(),
+                    kernel.c_str(), int(repeat), seconds*1e9/number/steps,
+                    int(after.rebuilds - before.rebuilds), listed, clay.skin(),
+                    lists, forces, bytes
+                );
+            }
+        }
+
+        if (repeats)
+        {
+            const scalar neighbours = benchmarkPlaces::neighboursInRange
+            (
+                number, clay.local(), settings.cutOff
+            );
+            Info<< "neighboursInRange " << neighbours << nl;
+        }
+        if (args.found("writeData"))
+        {
+            benchmarkPlaces::writeData(args["writeData"], number, clay.local());
+        }
+        if (args.found("writePositions"))
+        {
+            benchmarkPlaces::writeUnwrapped
+            (
+                args["writePositions"], number, clay.local()
+            );
+        }
+    }
+    catch (const userError& error)
+    {
+        FatalErrorInFunction << error.what() << exit(FatalError);
+    }
+
+    return 0;
+}
