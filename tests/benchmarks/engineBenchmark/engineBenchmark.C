@@ -44,7 +44,12 @@ double peakMemory()
 
 //- The engine's force as a table of LAMMPS (pair_style table), equidistant in
 //  the square of the distance
-void writeTable(const fileName& file, const taperedForce& force)
+void writeTable
+(
+    const fileName& file,
+    const taperedForce& force,
+    const benchmarkForce& units
+)
 {
     const int n = 20001;
     const double begin = 0.1;
@@ -71,8 +76,9 @@ void writeTable(const fileName& file, const taperedForce& force)
 
     std::ofstream os(file);
     os.precision(15);
-    os  << "# bentoFoam, cut-off " << end << "\n\nbentoFoam\nN " << n << " RSQ "
-        << begin << ' ' << end << "\n\n";
+    os  << "# units: length " << units.spacing() << " m, force " << units.unit()
+        << " N\n\nbentoFoam\nN " << n << " RSQ " << begin << ' ' << end
+        << "\n\n";
     for (int i = 0; i < n; ++i)
     {
         os  << i + 1 << ' ' << distance(i) << ' ' << energy[i] << ' '
@@ -110,6 +116,7 @@ int main(int argc, char *argv[])
     argList::addOption("skin", "d", "Of the lists (0: the engine's choice)");
     argList::addOption("kernel", "name", "table | exact (table)");
     argList::addOption("instructions", "name", "Vector instructions: best");
+    argList::addOption("rebuildEvery", "S", "New lists every S steps at least");
     argList::addOption("deltaT", "time", "Step of the engine (0.01)");
     argList::addOption("warmUp", "S", "Steps before the clock runs (200)");
     argList::addOption("steps", "S", "Steps of each repeat (100)");
@@ -122,6 +129,7 @@ int main(int argc, char *argv[])
 
     const label steps = args.getOrDefault<label>("steps", 100);
     const label warmUp = args.getOrDefault<label>("warmUp", 200);
+    const label stride = args.getOrDefault<label>("rebuildEvery", steps);
     const label repeats = args.getOrDefault<label>("repeats", 1);
     const scalar deltaT = args.getOrDefault<scalar>("deltaT", 0.01);
     const word instructions
@@ -157,7 +165,8 @@ int main(int argc, char *argv[])
         writeTable
         (
             args["writeTable"],
-            taperedForce(force, settings.thickness, settings.cutOff)
+            taperedForce(force, settings.thickness, settings.cutOff),
+            *force
         );
     }
 
@@ -197,7 +206,14 @@ int main(int argc, char *argv[])
             returnReduce(repeat, sumOp<label>());
             const auto begun = clock::now();
 
-            clay.advance(steps*deltaT);
+            for (label done = 0; done < steps; done += stride)
+            {
+                if (args.found("rebuildEvery"))
+                {
+                    clay.listsExpire();
+                }
+                clay.advance(min(stride, steps - done)*deltaT);
+            }
 
             const double seconds = returnReduce
             (
