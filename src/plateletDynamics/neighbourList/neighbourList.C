@@ -6,10 +6,9 @@
 
 #include "neighbourList.H"
 
-#include "cellKeys.H"
+#include "cellOrder.H"
 
-#include <limits>
-#include <numeric>
+#include <cmath>
 
 namespace plateletDynamics
 {
@@ -17,55 +16,36 @@ namespace plateletDynamics
 namespace
 {
 
-//- All points in the order of their cells
+//- The points in the order of their cells, as arrays for the vector loops
 class sortedPoints
+:
+    public cellOrder
 {
+    std::vector<std::int32_t> x_;
+    std::vector<std::int32_t> y_;
+    std::vector<std::int32_t> z_;
+
 public:
 
-    struct cell
+    sortedPoints(const kernelPoints& points, const cellKeys& grid)
+    :
+        cellOrder(grid, points.position, points.fixed)
     {
-        std::int64_t key;
-        int begin;
-    };
+        for (const int k : index)
+        {
+            x_.push_back(points.place[k].x);
+            y_.push_back(points.place[k].y);
+            z_.push_back(points.place[k].z);
+        }
+        for (auto* values : {&x_, &y_, &z_, &index})
+        {
+            values->resize(values->size() + mostLanes, 0);
+        }
+    }
 
-    std::vector<int> index;
-    std::vector<vector> position;
-
-    //- The cells that are not empty, in order, and one beyond all
-    std::vector<cell> cells;
-
-    sortedPoints(const kernelPoints& points, double edge)
+    rangeSearch arrays() const
     {
-        bounds around;
-        for (std::size_t k = 0; k < points.size(); ++k)
-        {
-            if (points.fixed[k] != platelets::absorbed)
-            {
-                around.include(points.position[k]);
-            }
-        }
-        const cellKeys grid(around, edge);
-
-        std::vector<std::pair<std::int64_t, int>> order(points.size());
-        for (std::size_t k = 0; k < points.size(); ++k)
-        {
-            order[k] = {grid.key(points.position[k]), int(k)};
-        }
-        std::sort(order.begin(), order.end());
-
-        for (const auto& [key, k] : order)
-        {
-            if (cells.empty() || cells.back().key != key)
-            {
-                cells.push_back({key, int(index.size())});
-            }
-            index.push_back(k);
-            position.push_back(points.position[k]);
-        }
-        cells.push_back
-        (
-            {std::numeric_limits<std::int64_t>::max(), int(index.size())}
-        );
+        return {x_.data(), y_.data(), z_.data(), index.data()};
     }
 };
 
@@ -121,23 +101,34 @@ std::vector<rowFinder> allRows()
 } // End namespace
 
 
-void neighbourList::build(const kernelPoints& points, double range)
+void neighbourList::build
+(
+    const kernelPoints& points,
+    const cellKeys& grid,
+    double range
+)
 {
-    const sortedPoints sorted(points, range/cellKeys::reach);
-    const double rangeSquared = range*range;
+    const sortedPoints sorted(points, grid);
+    const rangeSearch arrays(sorted.arrays());
+
+    // Rounding in single precision leaves out none
+    const float rangeSquared =
+        float(std::pow((1 + 1e-6)*range/points.unit, 2));
 
     std::vector<rowFinder> rows(allRows());
     std::vector<std::pair<int, int>> candidates(rows.size());
 
     // Lists in the order of the cells, then of the platelets
-    std::vector<std::size_t> begin(points.owned);
-    std::vector<std::size_t> count(points.owned);
-    std::vector<int> found;
+    std::vector<int> found(std::move(neighbour_));
+    std::vector<int> count(points.owned, 0);
+    start_.assign(points.owned + 1, 0);
     std::size_t end = 0;
+    bool inOrder = true;
+    int last = -1;
 
     for (std::size_t c = 0; c + 1 < sorted.cells.size(); ++c)
     {
-        std::size_t most = 0;
+        std::size_t most = mostLanes;
         for (std::size_t i = 0; i < rows.size(); ++i)
         {
             candidates[i] = rows[i].find(sorted, sorted.cells[c].key);
@@ -146,46 +137,60 @@ void neighbourList::build(const kernelPoints& points, double range)
 
         for (int s = sorted.cells[c].begin; s < sorted.cells[c + 1].begin; ++s)
         {
-            const std::size_t k = sorted.index[s];
-            if (k >= points.owned)
+            const int k = sorted.index[s];
+            if (k >= int(points.owned))
             {
                 continue;
             }
-
-            const vector x(sorted.position[s]);
-            begin[k] = end;
             if (found.size() < end + most)
             {
-                found.resize(2*(end + most));
+                found.resize(end + most + end/4);
             }
 
+            start_[k] = end;
             for (const auto& [from, to] : candidates)
             {
-                for (int t = from; t < to; ++t)
-                {
-                    const double distanceSquared =
-                        (sorted.position[t] - x).squaredNorm();
-
-                    // Without a branch, which would be mispredicted
-                    found[end] = sorted.index[t];
-                    end += (distanceSquared < rangeSquared) & (t != s);
-                }
+                end += loops_.search
+                (
+                    arrays, from, to, points.place[k], k, rangeSquared,
+                    found.data() + end
+                );
             }
-            count[k] = end - begin[k];
+            count[k] = int(end - start_[k]);
+            inOrder = inOrder && k > last;
+            last = k;
         }
     }
 
-    start_.assign(points.owned + 1, 0);
-    std::partial_sum(count.begin(), count.end(), start_.begin() + 1);
-
-    neighbour_.assign(start_.back() + mostLanes, 0);
-    for (std::size_t k = 0; k < points.owned; ++k)
+    if (inOrder)
     {
-        std::copy_n
-        (
-            found.begin() + begin[k], count[k], neighbour_.begin() + start_[k]
-        );
+        // Rows of absorbed platelets, which have none, end where they begin
+        start_.back() = end;
+        for (std::size_t k = points.owned; k-- > 0;)
+        {
+            start_[k] = start_[k + 1] - count[k];
+        }
+        neighbour_ = std::move(found);
     }
+    else
+    {
+        const std::vector<std::size_t> begin(std::move(start_));
+        start_.assign(points.owned + 1, 0);
+        neighbour_.resize(end);
+        for (std::size_t k = 0; k < points.owned; ++k)
+        {
+            start_[k + 1] = start_[k] + count[k];
+            std::copy_n
+            (
+                found.begin() + begin[k], count[k],
+                neighbour_.begin() + start_[k]
+            );
+        }
+    }
+
+    // Readable beyond the end, by loops that then count none of it
+    neighbour_.resize(end);
+    neighbour_.resize(end + mostLanes, 0);
 }
 
 } // End namespace plateletDynamics

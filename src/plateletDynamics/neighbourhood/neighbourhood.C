@@ -6,12 +6,11 @@
 
 #include "neighbourhood.H"
 
-#include "cellKeys.H"
+#include "cellOrder.H"
 #include "lineOfSight.H"
 #include "stopwatch.H"
 #include "userError.H"
 
-#include <tuple>
 
 namespace plateletDynamics
 {
@@ -85,7 +84,7 @@ void neighbourhood::setRange(double cutOff, double wallCutOff, double skin)
 }
 
 
-void neighbourhood::sort(platelets& local) const
+cellKeys neighbourhood::gridAround(const platelets& local) const
 {
     bounds around;
     for (std::size_t k = 0; k < local.size(); ++k)
@@ -95,25 +94,24 @@ void neighbourhood::sort(platelets& local) const
             around.include(local.position[k]);
         }
     }
+    return cellKeys(around, (cutOff_ + skin_)/cellKeys::reach);
+}
 
-    const cellKeys grid(around, (cutOff_ + skin_)/cellKeys::reach);
-    std::vector<std::tuple<std::int64_t, std::int64_t, int>> keys;
 
-    for (std::size_t k = 0; k < local.size(); ++k)
+void neighbourhood::sort(platelets& local, const cellKeys& grid) const
+{
+    cellOrder order(grid, local.position, local.fixed);
+
+    for (std::size_t c = 0; c + 1 < order.cells.size(); ++c)
     {
-        if (local.fixed[k] != platelets::absorbed)
-        {
-            keys.emplace_back(grid.key(local.position[k]), local.id[k], int(k));
-        }
+        std::sort
+        (
+            order.index.begin() + order.cells[c].begin,
+            order.index.begin() + order.cells[c + 1].begin,
+            [&](int a, int b) { return local.id[a] < local.id[b]; }
+        );
     }
-    std::sort(keys.begin(), keys.end());
-
-    std::vector<int> order;
-    for (const auto& key : keys)
-    {
-        order.push_back(std::get<2>(key));
-    }
-    local.reorder(order);
+    local.reorder(order.index);
 }
 
 
@@ -183,9 +181,10 @@ void neighbourhood::rebuild(platelets& local, bool maySort)
     const double waitedBefore = halo_.seconds();
 
     wrap(local);
+    const cellKeys grid(gridAround(local));
     if (maySort)
     {
-        sort(local);
+        sort(local, grid);
     }
     wraps_.assign(local.size(), {0, 0, 0});
 
@@ -197,7 +196,7 @@ void neighbourhood::rebuild(platelets& local, bool maySort)
     listed_ = points_.position;
 
     halo_.rebuild(points_, cutOff_ + skin_);
-    pairs_.build(points_, cutOff_ + skin_);
+    pairs_.build(points_, grid, cutOff_ + skin_);
     listWalls();
 
     // Waiting is counted apart
