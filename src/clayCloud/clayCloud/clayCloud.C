@@ -144,6 +144,7 @@ Foam::clayCloud::clayCloud
             );
         }
     );
+    engine_->setSkinUse(state_.skinUse);
     load();
 
     if (state_.entered == 0)

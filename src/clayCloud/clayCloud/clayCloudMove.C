@@ -197,5 +197,6 @@ void Foam::clayCloud::move(const volVectorField& Uwater, const scalar deltaT)
     if (mesh_.time().writeTime())
     {
         engine_->listsExpire();
+        state_.skinUse = engine_->skinUse();
     }
 }

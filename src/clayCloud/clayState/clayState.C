@@ -72,6 +72,7 @@ Foam::clayState::clayState(const polyMesh& mesh)
     readEntry("spacing", spacing);
     readEntry("entered", entered);
     readEntry("left", left);
+    readIfPresent("skinUse", skinUse);
 }
 
 
@@ -112,6 +113,7 @@ bool Foam::clayState::writeData(Ostream& os) const
     os.writeEntry("spacing", spacing);
     os.writeEntry("entered", entered);
     os.writeEntry("left", left);
+    os.writeEntry("skinUse", skinUse);
 
     os.precision(precision);
     return os.good();

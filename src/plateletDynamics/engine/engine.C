@@ -118,6 +118,18 @@ const engineCounters& engine::counters() const
 }
 
 
+double engine::skinUse() const
+{
+    return implementation_->near().skinUse();
+}
+
+
+void engine::setSkinUse(double use)
+{
+    implementation_->near().setSkinUse(use);
+}
+
+
 std::string engine::kernelName() const
 {
     return implementation_->kernelName();

@@ -201,6 +201,7 @@ void engine::implementation::load(platelets&& loaded)
 
 void engine::implementation::listsExpire()
 {
+    near_.noteSkinUse();
     near_.expire();
     forcesHold_ = false;
     stiffnessHolds_ = false;

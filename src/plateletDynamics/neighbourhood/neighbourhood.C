@@ -18,8 +18,19 @@ namespace plateletDynamics
 namespace
 {
 
-//- Skin over cut-off where the user leaves it to us
-constexpr double defaultSkin = 0.12;
+//- Skin over cut-off where the user leaves it to us: at first, and the limits
+//  of what is chosen later
+constexpr double firstSkin = 0.12;
+constexpr double leastSkin = 0.02;
+constexpr double largestSkin = 0.5;
+
+//- What making the lists costs, in evaluations of the forces of as many listed
+//  pairs. Measured with AVX-512 and AVX2 (tests/benchmarks); a constant, so
+//  that the choice does not depend on clocks
+constexpr double costOfLists = 5;
+
+//- Weight of the newest figure in the mean use of the skin
+constexpr double newest = 0.3;
 
 } // End namespace
 
@@ -45,7 +56,8 @@ void neighbourhood::setRange(double cutOff, double wallCutOff, double skin)
     points_.unit = std::ldexp(cutOff, -27);
     cutOff_ = cutOff;
     wallCutOff_ = wallCutOff;
-    skin_ = skin > 0 ? skin : defaultSkin*cutOff;
+    skinIsChosen_ = !(skin > 0);
+    mostSkin_ = std::min(skinIsChosen_ ? largestSkin*cutOff : skin, cutOff);
 
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -70,17 +82,51 @@ void neighbourhood::setRange(double cutOff, double wallCutOff, double skin)
         }
 
         // Images one period away are all that there are
-        skin_ = std::min(skin_, period - cutOff);
+        mostSkin_ = std::min(mostSkin_, period - cutOff);
     }
-    skin_ = std::min(skin_, cutOff);
+    chooseSkin();
 
     // Walls that reach farther than need be are right too
-    if (!walls_ || cutOff_ + skin_ > wallsReach_)
+    if (!walls_ || cutOff_ + mostSkin_ > wallsReach_)
     {
-        wallsReach_ = cutOff_ + skin_;
+        wallsReach_ = cutOff_ + mostSkin_;
         walls_ = std::make_unique<wallRegions>(limits_, space_, wallsReach_);
     }
     expire();
+}
+
+
+void neighbourhood::chooseSkin()
+{
+    skin_ = mostSkin_;
+
+    if (!skinIsChosen_)
+    {
+        return;
+    }
+    if (skinUse_ < 0)
+    {
+        skin_ = std::min(skin_, firstSkin*cutOff_);
+        return;
+    }
+
+    // The least of (cutOff + skin)^3 (1 + w/skin): pairs listed, evaluated in
+    // every step and listed every skin/use steps
+    const double w = costOfLists*skinUse_;
+    const double best = (std::sqrt(w*w + 3*w*cutOff_) - w)/3;
+
+    skin_ = std::min(skin_, std::max(best, leastSkin*cutOff_));
+}
+
+
+void neighbourhood::noteSkinUse()
+{
+    if (age_ > 0)
+    {
+        const double use = skinUsed_/age_;
+        skinUse_ = skinUse_ < 0 ? use : (1 - newest)*skinUse_ + newest*use;
+    }
+    age_ = 0;
 }
 
 
@@ -180,6 +226,7 @@ void neighbourhood::rebuild(platelets& local, bool maySort)
     const stopwatch watch(listSeconds_);
     const double waitedBefore = halo_.seconds();
 
+    chooseSkin();
     wrap(local);
     const cellKeys grid(gridAround(local));
     if (maySort)
@@ -230,25 +277,34 @@ bool neighbourhood::update
         }
     }
 
-    // The same on all ranks: any problem, whether to list anew
-    double decision[3] =
+    // The same on all ranks
+    double decision[4] =
     {
         double(!problem.empty()),
-        double(expired_ || 4*movedSquared > skin_*skin_),
+        double(expired_),
+        2*std::sqrt(movedSquared),
         largestMove
     };
     {
         const stopwatch watch(waitSeconds_);
-        ranks_.max(decision, 3);
+        ranks_.max(decision, 4);
     }
-    largestMove = decision[2];
+    largestMove = decision[3];
 
     if (decision[0] > 0)
     {
         ranks_.agree(problem);
     }
-    if (decision[1] > 0)
+    const bool expired = decision[1] > 0;
+    if (!expired)
     {
+        ++age_;
+        skinUsed_ = decision[2];
+    }
+
+    if (expired || skinUsed_ > skin_)
+    {
+        noteSkinUse();
         rebuild(local, maySort);
         return true;
     }
