@@ -219,11 +219,22 @@ void engine::implementation::evaluateForces(bool maySort)
     travelled_ += moved_;
     moved_ = 0;
 
-    const stopwatch watch(counters_.forceSeconds);
     pairKernel::events met;
-
     local_.force.assign(local_.size(), settings_.bodyForce);
-    kernel_->addForces(near_.points(), near_.pairs(), local_.force, met);
+
+    const auto addForces = [&](const std::vector<rowRange>& rows)
+    {
+        const stopwatch watch(counters_.forceSeconds);
+        kernel_->addForces
+        (
+            near_.points(), near_.pairs(), rows, local_.force, met
+        );
+    };
+
+    // While the ghosts are on their way
+    addForces(near_.pairs().interior());
+    near_.finish();
+    addForces(near_.pairs().boundary());
 
     if (met.coincidence && problem_.empty())
     {

@@ -52,7 +52,7 @@ std::vector<bounds> allBounds
 halo::halo(const rankGroup& ranks, const periodicBox& space)
 :
     ranks_(ranks),
-    space_(space)
+    shifts_(space.shifts())
 {}
 
 
@@ -67,8 +67,9 @@ void halo::chooseGhosts(const kernelPoints& points, double range)
         partner other;
         other.rank = rank;
 
-        for (const vector& shift : space_.shifts())
+        for (std::size_t s = 0; s < shifts_.size(); ++s)
         {
+            const vector& shift = shifts_[s];
             const bool itself = rank == ranks_.rank() && shift.isZero(0);
 
             if (itself || own.empty() || all[rank].empty())
@@ -95,7 +96,7 @@ void halo::chooseGhosts(const kernelPoints& points, double range)
                 )
                 {
                     other.index.push_back(int(k));
-                    other.shift.push_back(shift);
+                    other.shift.push_back(std::uint8_t(s));
                 }
             }
         }
@@ -215,19 +216,18 @@ void halo::rebuild(kernelPoints& points, double range)
     points.resize(total);
 
     exchangeNames(points);
-    refresh(points);
+    start(points);
+    finish(points);
 }
 
 
-void halo::refresh(kernelPoints& points)
+void halo::start(kernelPoints& points)
 {
     static_assert
     (
         sizeof(vector) == 3*sizeof(double),
         "positions are sent as rows of doubles"
     );
-
-    std::vector<MPI_Request> requests;
 
     for (partner& other : partners_)
     {
@@ -239,7 +239,7 @@ void halo::refresh(kernelPoints& points)
             MPI_Irecv
             (
                 ghosts, int(3*other.nGhosts), MPI_DOUBLE, other.rank, 1,
-                ranks_.communicator(), &requests.emplace_back()
+                ranks_.communicator(), &underWay_.emplace_back()
             );
         }
 
@@ -248,7 +248,8 @@ void halo::refresh(kernelPoints& points)
 
         for (std::size_t i = 0; i < other.index.size(); ++i)
         {
-            target[i] = points.position[other.index[i]] + other.shift[i];
+            target[i] =
+                points.position[other.index[i]] + shifts_[other.shift[i]];
         }
 
         if (!itself && other.index.size())
@@ -256,12 +257,17 @@ void halo::refresh(kernelPoints& points)
             MPI_Isend
             (
                 other.buffer.data(), int(3*other.index.size()), MPI_DOUBLE,
-                other.rank, 1, ranks_.communicator(), &requests.emplace_back()
+                other.rank, 1, ranks_.communicator(), &underWay_.emplace_back()
             );
         }
     }
+}
 
-    wait(requests);
+
+void halo::finish(kernelPoints& points)
+{
+    wait(underWay_);
+    underWay_.clear();
     points.setPlaces(points.owned, points.size());
 }
 

@@ -31,6 +31,10 @@ public:
     :
         cellOrder(grid, points.position, points.fixed)
     {
+        for (auto* values : {&x_, &y_, &z_, &index})
+        {
+            values->reserve(index.size() + mostLanes);
+        }
         for (const int k : index)
         {
             x_.push_back(points.place[k].x);
@@ -119,7 +123,6 @@ void neighbourList::build
     std::vector<std::pair<int, int>> candidates(rows.size());
 
     // Lists in the order of the cells, then of the platelets
-    std::vector<int> found(std::move(neighbour_));
     std::vector<int> count(points.owned, 0);
     start_.assign(points.owned + 1, 0);
     std::size_t end = 0;
@@ -142,10 +145,7 @@ void neighbourList::build
             {
                 continue;
             }
-            if (found.size() < end + most)
-            {
-                found.resize(end + most + end/4);
-            }
+            neighbour_.reserve(end + most);
 
             start_[k] = end;
             for (const auto& [from, to] : candidates)
@@ -153,7 +153,7 @@ void neighbourList::build
                 end += loops_.search
                 (
                     arrays, from, to, points.place[k], k, rangeSquared,
-                    found.data() + end
+                    neighbour_.data() + end
                 );
             }
             count[k] = int(end - start_[k]);
@@ -170,27 +170,54 @@ void neighbourList::build
         {
             start_[k] = start_[k + 1] - count[k];
         }
-        neighbour_ = std::move(found);
     }
     else
     {
         const std::vector<std::size_t> begin(std::move(start_));
         start_.assign(points.owned + 1, 0);
-        neighbour_.resize(end);
+        indexBuffer inOrderOfRows;
+        inOrderOfRows.reserve(end + mostLanes);
         for (std::size_t k = 0; k < points.owned; ++k)
         {
             start_[k + 1] = start_[k] + count[k];
             std::copy_n
             (
-                found.begin() + begin[k], count[k],
-                neighbour_.begin() + start_[k]
+                neighbour_.data() + begin[k], count[k],
+                inOrderOfRows.data() + start_[k]
             );
         }
+        neighbour_ = std::move(inOrderOfRows);
     }
 
     // Readable beyond the end, by loops that then count none of it
-    neighbour_.resize(end);
-    neighbour_.resize(end + mostLanes, 0);
+    neighbour_.reserve(end + mostLanes);
+    std::fill_n(neighbour_.data() + end, mostLanes, 0);
+
+    divide(points.owned);
+}
+
+
+void neighbourList::divide(std::size_t owned)
+{
+    interior_.clear();
+    boundary_.clear();
+
+    for (std::size_t k = 0; k < owned; ++k)
+    {
+        const auto listed = (*this)[k];
+        const bool hasGhosts = std::any_of
+        (
+            listed.begin(), listed.end(),
+            [owned](int j) { return j >= int(owned); }
+        );
+
+        std::vector<rowRange>& rows = hasGhosts ? boundary_ : interior_;
+        if (rows.empty() || rows.back().end != int(k))
+        {
+            rows.push_back({int(k), int(k)});
+        }
+        ++rows.back().end;
+    }
 }
 
 } // End namespace plateletDynamics

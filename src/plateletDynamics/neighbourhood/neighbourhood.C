@@ -252,6 +252,16 @@ void neighbourhood::rebuild(platelets& local, bool maySort)
 }
 
 
+void neighbourhood::finish()
+{
+    if (arriving_)
+    {
+        halo_.finish(points_);
+        arriving_ = false;
+    }
+}
+
+
 bool neighbourhood::update
 (
     platelets& local,
@@ -309,7 +319,8 @@ bool neighbourhood::update
         return true;
     }
 
-    halo_.refresh(points_);
+    halo_.start(points_);
+    arriving_ = true;
     return false;
 }
 

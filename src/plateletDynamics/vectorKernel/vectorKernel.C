@@ -45,6 +45,7 @@ void vectorKernel::addForces
 (
     const kernelPoints& points,
     const neighbourList& pairs,
+    const std::vector<rowRange>& rows,
     std::vector<vector>& force,
     events& met
 ) const
@@ -62,8 +63,6 @@ void vectorKernel::addForces
     task.place = points.place.data();
     task.start = pairs.starts();
     task.neighbour = pairs.neighbours();
-    task.begin = 0;
-    task.end = int(points.owned);
     task.cutOffSquared = float(cutOffSquared_*units);
     task.nearSquared = float(table_.beginSquared()*units);
     task.scale = float(1/(table_.taperSquared()*units));
@@ -76,7 +75,12 @@ void vectorKernel::addForces
     };
     task.context = &near;
 
-    loops_.addForces[table_.degree() - registerTable::lowestDegree](task);
+    for (const rowRange& range : rows)
+    {
+        task.begin = range.begin;
+        task.end = range.end;
+        loops_.addForces[table_.degree() - registerTable::lowestDegree](task);
+    }
 
     for (const auto& [k, j] : near)
     {
