@@ -12,9 +12,10 @@ Description
 
     Prints a line per repeat of words and values: the wall time of a step over
     the number of platelets (nanoseconds; all ranks together, not summed),
-    rebuilds of the lists, entries of the lists per platelet, the skin, share of
-    lists and forces in the time, and the memory that the engine added to the
-    process, per platelet. Writes forces and places for LAMMPS; see ../peer.
+    rebuilds of the lists, entries of the lists per platelet, neighbours within
+    the cut-off, the skin, shares of lists and forces in the time, and the
+    memory that the engine added to the process, bytes per platelet. Writes
+    forces and places for LAMMPS; see ../peer.
 \*---------------------------------------------------------------------------*/
 
 #include "argList.H"
@@ -104,53 +105,10 @@ void limitInstructions(const word& name)
 }
 
 
-int main(int argc, char *argv[])
+//- The engine's settings of the options
+engineSettings settingsFrom(const argList& args, const benchmarkForce& force)
 {
-    argList::addNote("Time of the engine alone, per platelet and step");
-    argList::noBanner();
-    argList::noCheckProcessorDirectories();
-
-    argList::addOption("number", "N", "Platelets at random places (10000)");
-    argList::addOption("positions", "file", "Places from a data file of LAMMPS");
-    argList::addOption("cutOff", "d", "Where the force ends (2.5)");
-    argList::addOption("skin", "d", "Of the lists (0: the engine's choice)");
-    argList::addOption("kernel", "name", "table | exact (table)");
-    argList::addOption("instructions", "name", "Vector instructions: best");
-    argList::addOption("rebuildEvery", "S", "New lists every S steps at least");
-    argList::addOption("deltaT", "time", "Step of the engine (0.01)");
-    argList::addOption("warmUp", "S", "Steps before the clock runs (200)");
-    argList::addOption("steps", "S", "Steps of each repeat (100)");
-    argList::addOption("repeats", "R", "How often these are timed (1)");
-    argList::addOption("writeTable", "file", "Force for LAMMPS");
-    argList::addOption("writeData", "file", "Places at the end, for LAMMPS");
-    argList::addOption("writePositions", "file", "id x y z at the end");
-
-    argList args(argc, argv);
-
-    const label steps = args.getOrDefault<label>("steps", 100);
-    const label warmUp = args.getOrDefault<label>("warmUp", 200);
-    const label stride = args.getOrDefault<label>("rebuildEvery", steps);
-    const label repeats = args.getOrDefault<label>("repeats", 1);
-    const scalar deltaT = args.getOrDefault<scalar>("deltaT", 0.01);
-    const word instructions
-    (
-        args.getOrDefault<word>("instructions", "best")
-    );
     const word kernel(args.getOrDefault<word>("kernel", "table"));
-
-    const auto force = std::make_shared<benchmarkForce>();
-
-    engineSettings settings;
-    settings.thickness = force->thickness();
-    settings.cutOff = args.getOrDefault<scalar>("cutOff", 2.5);
-    settings.spacing = 1;
-    settings.skin = args.getOrDefault<scalar>("skin", 0);
-    settings.integrator = "Euler";
-    settings.deltaT = deltaT;
-    settings.pairKernel =
-        kernel == "exact"
-      ? engineSettings::kernel::exact
-      : engineSettings::kernel::table;
 
     if (kernel != "exact" && kernel != "table")
     {
@@ -158,7 +116,97 @@ int main(int argc, char *argv[])
             << "Unknown kernel " << kernel << ": table or exact"
             << exit(FatalError);
     }
+
+    engineSettings settings;
+    settings.thickness = force.thickness();
+    settings.cutOff = args.getOrDefault<scalar>("cutOff", 2.5);
+    settings.spacing = 1;
+    settings.skin = args.getOrDefault<scalar>("skin", 0);
+    settings.integrator = "Euler";
+    settings.deltaT = args.getOrDefault<scalar>("deltaT", 0.01);
+    settings.pairKernel =
+        kernel == "exact"
+      ? engineSettings::kernel::exact
+      : engineSettings::kernel::table;
+
+    return settings;
+}
+
+
+//- Steps of the engine, with new lists after each stride. Returns the wall time
+//  of the slowest rank [s]
+double timeSteps
+(
+    engine& clay,
+    const label steps,
+    const label stride,
+    const double deltaT
+)
+{
+    using clock = std::chrono::steady_clock;
+
+    // All ranks begin together
+    returnReduce(steps, sumOp<label>());
+    const auto begun = clock::now();
+
+    for (label done = 0; done < steps; done += stride)
+    {
+        if (stride < steps)
+        {
+            clay.listsExpire();
+        }
+        clay.advance(min(stride, steps - done)*deltaT);
+    }
+
+    return returnReduce
+    (
+        std::chrono::duration<double>(clock::now() - begun).count(),
+        maxOp<scalar>()
+    );
+}
+
+
+double sum(const double x)
+{
+    return returnReduce(x, sumOp<scalar>());
+}
+
+
+int main(int argc, char *argv[])
+{
+    argList::addNote("Time of the engine alone, per platelet and step");
+    argList::noBanner();
+    argList::noCheckProcessorDirectories();
+
+    argList::addOption("number", "N", "Platelets at random places (10000)");
+    argList::addOption("positions", "file", "Places as a data file of LAMMPS");
+    argList::addOption("cutOff", "d", "Where the force ends (2.5)");
+    argList::addOption("skin", "d", "Of the lists (0: the engine's choice)");
+    argList::addOption("kernel", "name", "table | exact (table)");
+    argList::addOption("instructions", "name", "Vector instructions: best");
+    argList::addOption("deltaT", "time", "Step of the engine (0.01)");
+    argList::addOption("rebuildEvery", "S", "New lists every S steps at least");
+    argList::addOption("warmUp", "S", "Steps before the clock runs (200)");
+    argList::addOption("steps", "S", "Steps of each repeat (100)");
+    argList::addOption("repeats", "R", "How often these are timed (1)");
+    argList::addOption("writeTable", "file", "Force for LAMMPS");
+    argList::addOption("writeData", "file", "Places at the end, for LAMMPS");
+    argList::addOption("writePositions", "file", "id x y z at the end");
+
+    const argList args(argc, argv);
+
+    const label steps = args.getOrDefault<label>("steps", 100);
+    const label stride = args.getOrDefault<label>("rebuildEvery", steps);
+    const label warmUp = args.getOrDefault<label>("warmUp", 200);
+    const label repeats = args.getOrDefault<label>("repeats", 1);
+    const word instructions
+    (
+        args.getOrDefault<word>("instructions", "best")
+    );
     limitInstructions(instructions);
+
+    const auto force = std::make_shared<benchmarkForce>();
+    const engineSettings settings(settingsFrom(args, *force));
 
     if (args.found("writeTable") && Pstream::master())
     {
@@ -182,11 +230,10 @@ int main(int argc, char *argv[])
       ? benchmarkPlaces::read(args["positions"])
       : benchmarkPlaces::random(number)
     );
+    const double memory = peakMemory();
 
     try
     {
-        const double memory = peakMemory();
-
         engine clay
         (
             benchmarkPlaces::cube(number),
@@ -196,69 +243,43 @@ int main(int argc, char *argv[])
             Pstream::parRun() ? MPI_COMM_WORLD : MPI_COMM_SELF
         );
         clay.load(std::move(places));
-        clay.advance(warmUp*deltaT);
+        clay.advance(warmUp*settings.deltaT);
+
+        const scalar inRange = benchmarkPlaces::neighboursInRange
+        (
+            number, clay.local(), settings.cutOff
+        );
 
         for (label repeat = 1; repeat <= repeats; ++repeat)
         {
-            using clock = std::chrono::steady_clock;
-
             const engineCounters before(clay.counters());
-            returnReduce(repeat, sumOp<label>());
-            const auto begun = clock::now();
+            const double seconds =
+                timeSteps(clay, steps, stride, settings.deltaT);
+            const engineCounters after(clay.counters());
 
-            for (label done = 0; done < steps; done += stride)
-            {
-                if (args.found("rebuildEvery"))
-                {
-                    clay.listsExpire();
-                }
-                clay.advance(min(stride, steps - done)*deltaT);
-            }
-
-            const double seconds = returnReduce
-            (
-                std::chrono::duration<double>(clock::now() - begun).count(),
-                maxOp<scalar>()
-            );
-            const engineCounters& after = clay.counters();
-            const auto total = [](const double x)
-            {
-                return returnReduce(x, sumOp<scalar>());
-            };
-            const auto share = [&](const double x)
-            {
-                return total(x)/Pstream::nProcs()/seconds;
-            };
-
-            const double lists = share(after.listSeconds - before.listSeconds);
-            const double forces =
-                share(after.forceSeconds - before.forceSeconds);
-            const double listed = total(after.listedPairs)/number;
-            const double bytes = total(peakMemory() - memory)/number;
+            const double perRank = 1/seconds/Pstream::nProcs();
+            const double lists = sum(after.listSeconds - before.listSeconds);
+            const double forces = sum(after.forceSeconds - before.forceSeconds);
+            const double listed = sum(after.listedPairs)/number;
+            const double bytes = sum(peakMemory() - memory)/number;
 
             if (Pstream::master())
             {
                 std::printf
                 (
                     "number %d ranks %d instructions %s kernel %s repeat %d"
-                    " nsPerParticleStep %.4g rebuilds %d listed %.1f skin %.3g"
-                    " listShare %.3f forceShare %.3f bytesPerPlatelet %.0f\n",
+                    " nsPerParticleStep %.4g rebuilds %d listed %.1f"
+                    " inRange %.1f skin %.3g listShare %.3f forceShare %.3f"
+                    " bytesPerPlatelet %.0f\n",
                     int(number), Pstream::nProcs(), instructions.c_str(),
-                    kernel.c_str(), int(repeat), seconds*1e9/number/steps,
-                    int(after.rebuilds - before.rebuilds), listed, clay.skin(),
-                    lists, forces, bytes
+                    args.getOrDefault<word>("kernel", "table").c_str(),
+                    int(repeat), seconds*1e9/number/steps,
+                    int(after.rebuilds - before.rebuilds), listed, inRange,
+                    clay.skin(), lists*perRank, forces*perRank, bytes
                 );
             }
         }
 
-        if (repeats)
-        {
-            const scalar neighbours = benchmarkPlaces::neighboursInRange
-            (
-                number, clay.local(), settings.cutOff
-            );
-            Info<< "neighboursInRange " << neighbours << nl;
-        }
         if (args.found("writeData"))
         {
             benchmarkPlaces::writeData(args["writeData"], number, clay.local());

@@ -1,5 +1,5 @@
 # results.csv -> the table: median and best of the repeats, and LAMMPS' median
-# over ours
+# over ours. Also a file of the medians for the plot
 BEGIN { FS = "," }
 NR == 1 || $1 == "cloud" || $1 == "check" { next }
 {
@@ -23,6 +23,7 @@ END {
         printf "%8d %-8s %5d  %-10s %-8s %8.1f %8.1f %8d %7.1f %9s %8.2f\n", is[2], is[1],
             is[3], is[4], is[5], median(row), time[row, 1], rebuilds[row], listed[row],
             bytes[row] == "" ? "-" : bytes[row], median(peer)/median(row)
+        print is[1] "," is[4] "," is[2] "," is[3] "," is[5] "," median(row) > medians
         cost[is[1], is[2], is[3], is[4], is[5]] = median(row)
     }
     for (r = 1; r <= rows; ++r) {
