@@ -24,6 +24,7 @@ class sortedPoints
     std::vector<std::int32_t> x_;
     std::vector<std::int32_t> y_;
     std::vector<std::int32_t> z_;
+    std::vector<int> entry_;
 
 public:
 
@@ -31,7 +32,7 @@ public:
     :
         cellOrder(grid, points.position, points.fixed)
     {
-        for (auto* values : {&x_, &y_, &z_, &index})
+        for (auto* values : {&x_, &y_, &z_, &entry_})
         {
             values->reserve(index.size() + mostLanes);
         }
@@ -40,8 +41,9 @@ public:
             x_.push_back(points.place[k].x);
             y_.push_back(points.place[k].y);
             z_.push_back(points.place[k].z);
+            entry_.push_back(k*latticePlace::entry);
         }
-        for (auto* values : {&x_, &y_, &z_, &index})
+        for (auto* values : {&x_, &y_, &z_, &entry_})
         {
             values->resize(values->size() + mostLanes, 0);
         }
@@ -49,7 +51,7 @@ public:
 
     rangeSearch arrays() const
     {
-        return {x_.data(), y_.data(), z_.data(), index.data()};
+        return {x_.data(), y_.data(), z_.data(), entry_.data()};
     }
 };
 
@@ -152,7 +154,12 @@ void neighbourList::build
             {
                 end += loops_.search
                 (
-                    arrays, from, to, points.place[k], k, rangeSquared,
+                    arrays,
+                    from,
+                    to,
+                    points.place[k],
+                    k*latticePlace::entry,
+                    rangeSquared,
                     neighbour_.data() + end
                 );
             }
@@ -205,11 +212,11 @@ void neighbourList::divide(std::size_t owned)
     for (std::size_t k = 0; k < owned; ++k)
     {
         const auto listed = (*this)[k];
-        const bool hasGhosts = std::any_of
-        (
-            listed.begin(), listed.end(),
-            [owned](int j) { return j >= int(owned); }
-        );
+        bool hasGhosts = false;
+        for (const int j : listed)
+        {
+            hasGhosts = hasGhosts || j >= int(owned);
+        }
 
         std::vector<rowRange>& rows = hasGhosts ? boundary_ : interior_;
         if (rows.empty() || rows.back().end != int(k))

@@ -11,6 +11,8 @@
 #include "scalarKernel.H"
 #include "vectorKernel.H"
 
+#include <algorithm>
+
 namespace plateletDynamics
 {
 
@@ -32,7 +34,11 @@ std::unique_ptr<pairKernel> pairKernel::New
     {
         auto vectors = std::make_unique<vectorKernel>
         (
-            force, settings.tableTolerance, settings.instructions
+            force,
+            settings.spacing > 0
+          ? std::min(settings.spacing, settings.cutOff) : settings.cutOff,
+            settings.tableTolerance,
+            settings.instructions
         );
         if (vectors->valid())
         {

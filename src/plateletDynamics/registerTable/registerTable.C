@@ -153,17 +153,25 @@ float registerTable::forceOverDistance(float r2) const
 }
 
 
-double registerTable::largestError(const taperedForce& force) const
+double registerTable::largestError
+(
+    const taperedForce& force,
+    double spacing
+) const
 {
     const exactLaw law(force);
     const double end = force.cutOff()*force.cutOff()/taperSquared_;
 
-    // Inwards from the cut-off, so that the scale is the largest force beyond.
-    // Nothing is less than 1e-100 of it
+    const auto forceAt = [&](double r2)
+    {
+        return std::abs(std::sqrt(r2)*law.forceOverDistance(r2));
+    };
+
+    // Inwards from the cut-off, so that the scale is the largest force beyond;
+    // nothing is less than 1e-100 of it
     double scale = std::max
     (
-        1e-100,
-        std::abs(std::sqrt(taperSquared_)*law.forceOverDistance(taperSquared_))
+        {1e-100, forceAt(taperSquared_), forceAt(spacing*spacing)}
     );
     double largest = 0;
 
@@ -194,6 +202,7 @@ double registerTable::largestError(const taperedForce& force) const
 registerTable::registerTable
 (
     const taperedForce& force,
+    double spacing,
     int intervals,
     double tolerance
 )
@@ -207,7 +216,7 @@ registerTable::registerTable
         for (int degree = lowestDegree; degree <= highestDegree; ++degree)
         {
             fit(force, degree);
-            if (largestError(force) <= tolerance)
+            if (largestError(force, spacing) <= tolerance)
             {
                 return;
             }

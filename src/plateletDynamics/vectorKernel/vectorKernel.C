@@ -14,13 +14,14 @@ namespace plateletDynamics
 vectorKernel::vectorKernel
 (
     const taperedForce& force,
+    double spacing,
     double tolerance,
     const std::string& instructions
 )
 :
     plain_(force, forceTable(force, tolerance)),
     loops_(vectorLoops::choose(instructions)),
-    table_(force, loops_.intervals, tolerance),
+    table_(force, spacing, loops_.intervals, tolerance),
     cutOffSquared_(force.cutOff()*force.cutOff())
 {
     for (int k = 0; valid() && k <= table_.degree(); ++k)
@@ -56,7 +57,6 @@ void vectorKernel::addForces
         "forces are handed over as rows of doubles"
     );
 
-    std::vector<std::array<int, 2>> near;
     const double units = 1/(points.unit*points.unit);
 
     pairSums task;
@@ -69,30 +69,66 @@ void vectorKernel::addForces
     task.coefficients = coefficients_.data();
     task.unit = points.unit;
     task.force = force.empty() ? nullptr : force[0].data();
-    task.near = [](void* context, int k, int j)
-    {
-        static_cast<decltype(near)*>(context)->push_back({k, j});
-    };
-    task.context = &near;
+    const auto loop =
+        loops_.addForces[table_.degree() - registerTable::lowestDegree];
+
+    // Room for the near pairs of at least one row
+    std::vector<int> nearRow(4096);
+    std::vector<int> nearEntry(nearRow.size());
 
     for (const rowRange& range : rows)
     {
         task.begin = range.begin;
         task.end = range.end;
-        loops_.addForces[table_.degree() - registerTable::lowestDegree](task);
-    }
 
-    for (const auto& [k, j] : near)
-    {
-        // Two absorbed ones were moved away alike
-        if
-        (
-            (points.position[k] - points.position[j]).squaredNorm()
-          < cutOffSquared_
-        )
+        while (task.begin < task.end)
         {
-            force[k] += plain_.force(points, k, j, met);
+            task.nearRow = nearRow.data();
+            task.nearEntry = nearEntry.data();
+            task.nNear = 0;
+            task.mostNear = nearRow.size() - mostLanes;
+
+            const int begun = task.begin;
+            loop(task);
+
+            for (std::size_t i = 0; i < task.nNear; ++i)
+            {
+                addNear
+                (
+                    points,
+                    nearRow[i],
+                    nearEntry[i]/latticePlace::entry,
+                    force,
+                    met
+                );
+            }
+            if (task.begin == begun)
+            {
+                nearRow.resize(2*nearRow.size());
+                nearEntry.resize(nearRow.size());
+            }
         }
+    }
+}
+
+
+void vectorKernel::addNear
+(
+    const kernelPoints& points,
+    int k,
+    int j,
+    std::vector<vector>& force,
+    events& met
+) const
+{
+    // Two absorbed ones were moved away alike
+    if
+    (
+        (points.position[k] - points.position[j]).squaredNorm()
+      < cutOffSquared_
+    )
+    {
+        force[k] += plain_.force(points, k, j, met);
     }
 }
 

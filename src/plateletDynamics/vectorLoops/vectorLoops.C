@@ -51,9 +51,9 @@ std::size_t search
         const float dz = difference(place.z, row.z[i]);
 
         // Without a branch, which would be mispredicted
-        *found = row.index[i];
+        *found = row.entry[i];
         found +=
-            (dx*dx + dy*dy + dz*dz < rangeSquared) & (row.index[i] != self);
+            (dx*dx + dy*dy + dz*dz < rangeSquared) & (row.entry[i] != self);
     }
     return found - first;
 }
@@ -88,41 +88,48 @@ struct places
 };
 
 
-//- The places number 0, 4, 8, 12 (as many as there are lanes for), side by side
-HWY_INLINE intVector everyFourth(const latticePlace* place, const int* index)
+//- The place that an entry of a list names
+HWY_INLINE hn::Vec<fourInts> load(const latticePlace* place, int entry)
 {
-    const fourInts four;
-    const auto load = [&](int i) HWY_ATTR
-    {
-        return hn::Load(four, &place[index[i]].x);
-    };
+    const auto pieces = reinterpret_cast<const std::int64_t*>(place);
 
+    return hn::Load
+    (
+        fourInts(),
+        reinterpret_cast<const std::int32_t*>(pieces + std::uint32_t(entry))
+    );
+}
+
+
+//- The places number 0, 4, 8, 12 (as many as there are lanes for), side by side
+HWY_INLINE intVector everyFourth(const latticePlace* place, const int* entry)
+{
 #if HWY_CAP_GE512
     const hn::Half<ints> eight;
     return hn::Combine
     (
         ints(),
-        hn::Combine(eight, load(12), load(8)),
-        hn::Combine(eight, load(4), load(0))
+        hn::Combine(eight, load(place, entry[12]), load(place, entry[8])),
+        hn::Combine(eight, load(place, entry[4]), load(place, entry[0]))
     );
 #elif HWY_CAP_GE256
-    return hn::Combine(ints(), load(4), load(0));
+    return hn::Combine(ints(), load(place, entry[4]), load(place, entry[0]));
 #else
-    return load(0);
+    return load(place, entry[0]);
 #endif
 }
 
 
 //- The places of as many neighbours as there are lanes
-HWY_INLINE places gather(const latticePlace* place, const int* index)
+HWY_INLINE places gather(const latticePlace* place, const int* entry)
 {
     const ints di;
     const hn::RepartitionToWide<ints> wide;
 
-    const auto a = everyFourth(place, index);
-    const auto b = everyFourth(place, index + 1);
-    const auto c = everyFourth(place, index + 2);
-    const auto d = everyFourth(place, index + 3);
+    const auto a = everyFourth(place, entry);
+    const auto b = everyFourth(place, entry + 1);
+    const auto c = everyFourth(place, entry + 2);
+    const auto d = everyFourth(place, entry + 3);
 
     // Rows of four become columns
     const auto xyab = hn::BitCast(wide, hn::InterleaveLower(di, a, b));
@@ -184,7 +191,7 @@ struct powerTable
 
 
 template<int degree>
-void addForces(const pairSums& task)
+void addForces(pairSums& task)
 {
     const floats d;
     const ints di;
@@ -204,20 +211,33 @@ void addForces(const pairSums& task)
     const auto one = hn::BitCast(di, hn::Set(d, 1.0f));
     const auto middle = hn::Set(d, 1.5f);
 
-    for (int k = task.begin; k < task.end; ++k)
+    const latticePlace* const place = task.place;
+    int* const nearRow = task.nearRow;
+    int* const nearEntry = task.nearEntry;
+    std::size_t nNear = task.nNear;
+    int k = task.begin;
+
+    for (; k < task.end; ++k)
     {
-        const auto x = hn::Set(di, task.place[k].x);
-        const auto y = hn::Set(di, task.place[k].y);
-        const auto z = hn::Set(di, task.place[k].z);
+        const int* j = task.neighbour + task.start[k];
+        const int* const end = task.neighbour + task.start[k + 1];
+
+        if (nNear + std::size_t(end - j) > task.mostNear)
+        {
+            break;
+        }
+
+        const auto x = hn::Set(di, place[k].x);
+        const auto y = hn::Set(di, place[k].y);
+        const auto z = hn::Set(di, place[k].z);
 
         auto sumX = hn::Zero(d);
         auto sumY = hn::Zero(d);
         auto sumZ = hn::Zero(d);
 
-        const int* const end = task.neighbour + task.start[k + 1];
-        for (const int* j = task.neighbour + task.start[k]; j < end; j += lanes)
+        for (; j < end; j += lanes)
         {
-            const places other(gather(task.place, j));
+            const places other(gather(place, j));
 
             const auto dx = hn::ConvertTo(d, hn::Sub(x, other.x));
             const auto dy = hn::ConvertTo(d, hn::Sub(y, other.y));
@@ -235,15 +255,15 @@ void addForces(const pairSums& task)
 
             if (HWY_UNLIKELY(!hn::AllFalse(d, near)))
             {
-                std::uint8_t bits[8] = {};
-                hn::StoreMaskBits(d, near, bits);
-                for (int lane = 0; lane < lanes; ++lane)
-                {
-                    if (bits[lane/8] >> lane%8 & 1)
-                    {
-                        task.near(task.context, k, j[lane]);
-                    }
-                }
+                const auto these = hn::RebindMask(di, near);
+                hn::CompressStore
+                (
+                    hn::Set(di, k), these, di, nearRow + nNear
+                );
+                nNear += hn::CompressStore
+                (
+                    hn::LoadU(di, j), these, di, nearEntry + nNear
+                );
                 counts = hn::AndNot(near, counts);
             }
 
@@ -277,6 +297,9 @@ void addForces(const pairSums& task)
         force[1] += task.unit*double(hn::GetLane(hn::SumOfLanes(d, sumY)));
         force[2] += task.unit*double(hn::GetLane(hn::SumOfLanes(d, sumZ)));
     }
+
+    task.begin = k;
+    task.nNear = nNear;
 }
 
 
@@ -309,7 +332,7 @@ std::size_t search
         (
             dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz))
         );
-        const auto index = hn::LoadU(di, row.index + i);
+        const auto entry = hn::LoadU(di, row.entry + i);
 
         const auto near = hn::And
         (
@@ -321,9 +344,9 @@ std::size_t search
                     hn::Lt(r2, range), hn::FirstN(d, std::size_t(end - i))
                 )
             ),
-            hn::Ne(index, itself)
+            hn::Ne(entry, itself)
         );
-        found += hn::CompressStore(index, near, di, found);
+        found += hn::CompressStore(entry, near, di, found);
     }
     return found - first;
 }

@@ -92,28 +92,15 @@ void writeTable
 }
 
 
-//- Restrict the vector instructions that the engine uses. The place for it:
-//  so far the engine has no choice
-void limitInstructions(const word& name)
-{
-    if (name != "best")
-    {
-        FatalErrorInFunction
-            << "The engine cannot be limited to the instructions " << name
-            << " yet: best" << exit(FatalError);
-    }
-}
-
-
 //- The engine's settings of the options
 engineSettings settingsFrom(const argList& args, const benchmarkForce& force)
 {
-    const word kernel(args.getOrDefault<word>("kernel", "table"));
+    const word kernel(args.getOrDefault<word>("kernel", "fast"));
 
-    if (kernel != "exact" && kernel != "table")
+    if (kernel != "exact" && kernel != "table" && kernel != "fast")
     {
         FatalErrorInFunction
-            << "Unknown kernel " << kernel << ": table or exact"
+            << "Unknown kernel " << kernel << ": fast, table or exact"
             << exit(FatalError);
     }
 
@@ -127,7 +114,10 @@ engineSettings settingsFrom(const argList& args, const benchmarkForce& force)
     settings.pairKernel =
         kernel == "exact"
       ? engineSettings::kernel::exact
-      : engineSettings::kernel::table;
+      : kernel == "table"
+      ? engineSettings::kernel::table
+      : engineSettings::kernel::fast;
+    settings.instructions = args.getOrDefault<word>("instructions", "best");
 
     return settings;
 }
@@ -182,8 +172,8 @@ int main(int argc, char *argv[])
     argList::addOption("positions", "file", "Places as a data file of LAMMPS");
     argList::addOption("cutOff", "d", "Where the force ends (2.5)");
     argList::addOption("skin", "d", "Of the lists (0: the engine's choice)");
-    argList::addOption("kernel", "name", "table | exact (table)");
-    argList::addOption("instructions", "name", "Vector instructions: best");
+    argList::addOption("kernel", "name", "fast | table | exact (fast)");
+    argList::addOption("instructions", "name", "best | AVX3 | AVX2 | SSE4 | ... (best)");
     argList::addOption("deltaT", "time", "Step of the engine (0.01)");
     argList::addOption("rebuildEvery", "S", "New lists every S steps at least");
     argList::addOption("warmUp", "S", "Steps before the clock runs (200)");
@@ -199,11 +189,6 @@ int main(int argc, char *argv[])
     const label stride = args.getOrDefault<label>("rebuildEvery", steps);
     const label warmUp = args.getOrDefault<label>("warmUp", 200);
     const label repeats = args.getOrDefault<label>("repeats", 1);
-    const word instructions
-    (
-        args.getOrDefault<word>("instructions", "best")
-    );
-    limitInstructions(instructions);
 
     const auto force = std::make_shared<benchmarkForce>();
     const engineSettings settings(settingsFrom(args, *force));
@@ -271,8 +256,9 @@ int main(int argc, char *argv[])
                     " nsPerParticleStep %.4g rebuilds %d listed %.1f"
                     " inRange %.1f skin %.3g listShare %.3f forceShare %.3f"
                     " bytesPerPlatelet %.0f\n",
-                    int(number), Pstream::nProcs(), instructions.c_str(),
-                    args.getOrDefault<word>("kernel", "table").c_str(),
+                    int(number), Pstream::nProcs(),
+                    settings.instructions.c_str(),
+                    args.getOrDefault<word>("kernel", "fast").c_str(),
                     int(repeat), seconds*1e9/number/steps,
                     int(after.rebuilds - before.rebuilds), listed, inRange,
                     clay.skin(), lists*perRank, forces*perRank, bytes
