@@ -271,7 +271,7 @@ void engine::implementation::calculateVelocities()
         {
             velocity =
                 local_.waterVelocity[k]
-              + local_.force[k]/local_.friction[k];
+              + (1/local_.friction[k])*local_.force[k];
 
             if (isFinite(velocity))
             {

@@ -6,6 +6,7 @@
 
 #include "kernelPoints.H"
 
+#include <cstring>
 #include <limits>
 
 namespace plateletDynamics
@@ -17,10 +18,24 @@ namespace
 //- Units beyond which a platelet is out of reach of all: absorbed
 constexpr double outOfReach = 1e18;
 
+//- Added to a number of less than 2^51, the lowest bits of the sum are the
+//  nearest whole number
+constexpr double shift = 6755399441055744.0;
+constexpr double mostForShift = 2e15;
+
 //- The number of units, modulo 2^32
 std::int32_t units(double x, double perUnit)
 {
-    return std::int32_t(std::uint32_t(std::uint64_t(std::llrint(x*perUnit))));
+    double n = x*perUnit;
+    if (std::abs(n) > mostForShift)
+    {
+        n = std::fmod(n, 4294967296.0);
+    }
+    n += shift;
+
+    std::int64_t bits;
+    std::memcpy(&bits, &n, sizeof(bits));
+    return std::int32_t(bits);
 }
 
 } // End namespace
