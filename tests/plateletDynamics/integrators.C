@@ -221,7 +221,7 @@ TEST(steps, areEqualAndEndOnTheDuration)
     engine system
     (
         openSpace, {}, std::make_shared<noForce>(),
-        settings("Euler", 0.3), MPI_COMM_WORLD
+        settings("AdamsBashforth2", 0.3), MPI_COMM_WORLD
     );
     system.load(row({1}));
 

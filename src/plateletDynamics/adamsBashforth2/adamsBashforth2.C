@@ -12,25 +12,28 @@ namespace plateletDynamics
 void adamsBashforth2::step(motion& system, double deltaT)
 {
     platelets& local = system.local();
-    displacement_.resize(local.size());
 
-    for (std::size_t k = 0; k < local.size(); ++k)
+    const auto displacementOf = [&](std::size_t k) -> vector
     {
         const double previous = local.previousStep[k];
         const double halfRatio =
             deltaT <= 2*previous ? 0.5*deltaT/previous : 0;
 
-        displacement_[k] =
+        const vector displacement
+        (
             deltaT
            *(
                 (1 + halfRatio)*local.velocity[k]
               - halfRatio*local.previousVelocity[k]
-            );
+            )
+        );
         local.previousVelocity[k] = local.velocity[k];
         local.previousStep[k] = deltaT;
-    }
 
-    system.displace(displacement_);
+        return displacement;
+    };
+
+    system.displaceAll(displacementOf);
 }
 
 } // End namespace plateletDynamics

@@ -215,9 +215,10 @@ void engine::implementation::evaluateForces(bool maySort)
         return;
     }
 
-    counters_.rebuilds += near_.update(local_, maySort, problem_, moved_);
-    travelled_ += moved_;
-    moved_ = 0;
+    double moved = std::sqrt(movedSquared_);
+    counters_.rebuilds += near_.update(local_, maySort, problem_, moved);
+    travelled_ += moved;
+    movedSquared_ = 0;
 
     pairKernel::events met;
     local_.force.assign(local_.size(), settings_.bodyForce);

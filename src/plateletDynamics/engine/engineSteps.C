@@ -94,16 +94,23 @@ std::int64_t engine::implementation::stepsFor(double duration)
 }
 
 
-void engine::implementation::displace(const std::vector<vector>& displacement)
+void engine::implementation::displace
+(
+    std::size_t first,
+    const std::vector<vector>& displacement
+)
 {
-    for (std::size_t k = 0; k < local_.size(); ++k)
+    const bool crossable = !near_.crossings().empty();
+
+    for (std::size_t i = 0; i < displacement.size(); ++i)
     {
+        const std::size_t k = first + i;
         if (local_.fixed[k])
         {
             continue;
         }
 
-        const vector& d = displacement[k];
+        const vector& d = displacement[i];
 
         if (!isFinite(d) || d.cwiseAbs().maxCoeff() > settings_.cutOff)
         {
@@ -112,24 +119,25 @@ void engine::implementation::displace(const std::vector<vector>& displacement)
                 problem_ = text
                 (
                     "Platelet ", local_.id[k], " at (",
-                    local_.position[k].transpose(), ") would move by (",
-                    d.transpose(), ") in one step, more than the cut-off of ",
-                    settings_.cutOff, ". Take a smaller engine step"
+                    near_.points().position[k].transpose(),
+                    ") would move by (", d.transpose(), ") in one step, more"
+                    " than the cut-off of ", settings_.cutOff,
+                    ". Take a smaller engine step"
                 );
             }
             continue;
         }
-        moved_ = std::max(moved_, d.norm());
+        movedSquared_ = std::max(movedSquared_, d.squaredNorm());
 
         const vector& from = near_.points().position[k];
-        if (!near_.crossings().near(k, from, d))
+        if (!crossable || !near_.crossings().near(k, from, d))
         {
-            local_.position[k] += d;
+            near_.displace(k, d);
             continue;
         }
 
         const auto met = near_.crossings().follow(near_.walls(), from, d);
-        local_.position[k] += met.displacement;
+        near_.displace(k, met.displacement);
         if (met.absorbedBy >= 0)
         {
             absorb(k, met.absorbedBy);
@@ -143,7 +151,7 @@ void engine::implementation::displace(const std::vector<vector>& displacement)
 
 void engine::implementation::absorb(std::size_t k, int patch)
 {
-    vector place(local_.position[k]);
+    vector place(near_.points().position[k]);
     space_.wrap(place);
     departures_.push_back({local_.id[k], local_.tag[k], patch, place});
 
@@ -151,6 +159,7 @@ void engine::implementation::absorb(std::size_t k, int patch)
     local_.fixed[k] = platelets::absorbed;
     local_.position[k] =
         settings_.cutOff*vector(outOfReach, 10.0*double(local_.id[k]), 0);
+    near_.remove(k, local_.position[k]);
 }
 
 
@@ -208,7 +217,7 @@ void engine::implementation::advance(double duration)
     }
 
     ranks_.agree(problem_);
-    near_.wrap(local_);
+    near_.takeBack(local_);
     dropAbsorbed();
 }
 

@@ -11,17 +11,12 @@ namespace plateletDynamics
 
 void forwardEuler::step(motion& system, double deltaT)
 {
-    platelets& local = system.local();
-    displacement_.resize(local.size());
+    const std::vector<vector>& velocity = system.local().velocity;
 
-    for (std::size_t k = 0; k < local.size(); ++k)
-    {
-        displacement_[k] = deltaT*local.velocity[k];
-        local.previousVelocity[k] = local.velocity[k];
-        local.previousStep[k] = deltaT;
-    }
-
-    system.displace(displacement_);
+    system.displaceAll
+    (
+        [&](std::size_t k) -> vector { return deltaT*velocity[k]; }
+    );
 }
 
 } // End namespace plateletDynamics

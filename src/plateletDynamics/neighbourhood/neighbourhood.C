@@ -53,7 +53,7 @@ void neighbourhood::setRange(double cutOff, double wallCutOff, double skin)
 {
     // A skin of a cut-off at most: pairs of the lists are far less than half a
     // lattice apart
-    points_.unit = std::ldexp(cutOff, -27);
+    points_.setUnit(std::ldexp(cutOff, -27));
     cutOff_ = cutOff;
     wallCutOff_ = wallCutOff;
     skinIsChosen_ = !(skin > 0);
@@ -161,42 +161,39 @@ void neighbourhood::sort(platelets& local, const cellKeys& grid) const
 }
 
 
-void neighbourhood::wrap(platelets& local)
+void neighbourhood::takeBack(platelets& local)
 {
-    wraps_.resize(local.size(), {0, 0, 0});
-
     for (std::size_t k = 0; k < local.size(); ++k)
     {
         if (local.fixed[k] == platelets::absorbed)
         {
             continue;
         }
-        const std::array<int, 3> outside(space_.wrap(local.position[k]));
+        vector& x = local.position[k];
 
+        if (stepped_)
+        {
+            x = points_.position[k];
+            for (int axis = 0; axis < 3; ++axis)
+            {
+                if (wraps_[k][axis])
+                {
+                    x[axis] -= wraps_[k][axis]*space_.period(axis);
+                }
+            }
+        }
+
+        const std::array<int, 3> outside(space_.wrap(x));
         for (int axis = 0; axis < 3; ++axis)
         {
             local.crossings[k][axis] += outside[axis];
-            wraps_[k][axis] += outside[axis];
-        }
-    }
-}
-
-
-void neighbourhood::place(const platelets& local)
-{
-    for (std::size_t k = 0; k < local.size(); ++k)
-    {
-        points_.position[k] = local.position[k];
-        for (int axis = 0; axis < 3; ++axis)
-        {
-            if (wraps_[k][axis])
+            if (!expired_)
             {
-                points_.position[k][axis] +=
-                    wraps_[k][axis]*space_.period(axis);
+                wraps_[k][axis] += std::int8_t(outside[axis]);
             }
         }
     }
-    points_.setPlaces(0, local.size());
+    stepped_ = false;
 }
 
 
@@ -227,7 +224,7 @@ void neighbourhood::rebuild(platelets& local, bool maySort)
     const double waitedBefore = halo_.seconds();
 
     chooseSkin();
-    wrap(local);
+    takeBack(local);
     const cellKeys grid(gridAround(local));
     if (maySort)
     {
@@ -239,8 +236,16 @@ void neighbourhood::rebuild(platelets& local, bool maySort)
     points_.resize(local.size());
     points_.id = local.id;
     points_.fixed = local.fixed;
-    place(local);
-    listed_ = points_.position;
+    std::copy
+    (
+        local.position.begin(), local.position.end(), points_.position.begin()
+    );
+    points_.setPlaces(0, points_.owned);
+    listed_.assign
+    (
+        points_.place.begin(), points_.place.begin() + points_.owned
+    );
+    movedSquared_ = 0;
 
     halo_.rebuild(points_, cutOff_ + skin_);
     pairs_.build(points_, grid, cutOff_ + skin_);
@@ -270,29 +275,12 @@ bool neighbourhood::update
     double& largestMove
 )
 {
-    double movedSquared = 0;
-    if (!expired_)
-    {
-        place(local);
-        for (std::size_t k = 0; k < local.size(); ++k)
-        {
-            if (local.fixed[k] != platelets::absorbed)
-            {
-                movedSquared = std::max
-                (
-                    movedSquared,
-                    (points_.position[k] - listed_[k]).squaredNorm()
-                );
-            }
-        }
-    }
-
     // The same on all ranks
     double decision[4] =
     {
         double(!problem.empty()),
         double(expired_),
-        2*std::sqrt(movedSquared),
+        2*std::sqrt(movedSquared_),
         largestMove
     };
     {
