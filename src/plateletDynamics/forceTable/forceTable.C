@@ -19,13 +19,12 @@ void forceTable::tabulate(double begin, double step, int intervals)
     const auto knot = [&](int i)
     {
         const double r2 = begin + i*step;
-        const double r = std::sqrt(r2);
         const double value = exact_.forceOverDistance(r2);
 
         return std::array<double, 2>
         {
             value,
-            step*(exact_.slope(r) - value)/(2*r2)
+            step*(exact_.slope(r2) - value)/(2*r2)
         };
     };
 

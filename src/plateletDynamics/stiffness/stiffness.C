@@ -17,16 +17,24 @@ double decayRateBound
     const std::vector<Eigen::Matrix3d>& stiffness
 )
 {
+    // What the largest eigenvalue of M is at most, from trace and norm
+    const auto atMost = [](const Eigen::Matrix3d& M)
+    {
+        const double third = M.trace()/3;
+        return
+            third
+          + std::sqrt(std::max(0., 2./3*(M.squaredNorm() - 3*third*third)));
+    };
+
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
     double bound = 0;
 
     for (std::size_t k = 0; k < local.size(); ++k)
     {
-        // The trace is at least the largest eigenvalue
         if
         (
             local.fixed[k]
-         || stiffness[k].trace() <= bound*local.friction[k]
+         || atMost(stiffness[k]) <= bound*local.friction[k]
         )
         {
             continue;

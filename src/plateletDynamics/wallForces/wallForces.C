@@ -313,7 +313,7 @@ void wallForces::addStiffness
 
             addPairStiffness
             (
-                stiffness[k], direction, law.slope(gap), across, true
+                stiffness[k], direction, 1, law.slope(gap), across, true
             );
         }
     );
