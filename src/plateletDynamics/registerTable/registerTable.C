@@ -175,7 +175,7 @@ double registerTable::largestError
     );
     double largest = 0;
 
-    constexpr int probes = 16;
+    constexpr int probes = 64;
     for (int interval = intervals_ - 1; interval >= 0; --interval)
     {
         const double s0 = lower(interval);
