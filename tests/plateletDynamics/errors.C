@@ -200,6 +200,24 @@ TEST(errors, nameAPlateletThatMovesTooFar)
     // In the last step too
     system.load(some);
     expectWords(errorOf([&]{ system.advance(0.1); }), {"10", "cut-off"});
+
+    // After that others can be loaded, more and elsewhere
+    const platelets others(scatter(300, vector::Constant(4)));
+    engine fresh(cube(4), {}, law, chosen, MPI_COMM_WORLD);
+    for (engine* each : {&system, &fresh})
+    {
+        each->load(share(others));
+        each->advance(0.2);
+    }
+    EXPECT_EQ
+    (
+        largestDifference
+        (
+            gather(system.local(), system.local().position, 300),
+            gather(fresh.local(), fresh.local().position, 300)
+        ),
+        0
+    );
 }
 
 

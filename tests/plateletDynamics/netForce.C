@@ -152,6 +152,21 @@ TEST(netForce, isTheDoubleSumFarFromTheOrigin)
 }
 
 
+// Wider than what places tell apart, and than what cells do
+TEST(netForce, isTheDoubleSumInAVeryLongBox)
+{
+    for (const double apart : {32.0, 3.2e7})
+    {
+        platelets all(scatter(300, vector(2, 2, 2)));
+        for (std::size_t k = 0; k < all.size(); ++k)
+        {
+            all.position[k][0] += apart*(k % 3);
+        }
+        expectDoubleSum(all, cube(4, false, false, false));
+    }
+}
+
+
 TEST(netForce, ofAllInstructionsIsTested)
 {
     // The last one is for any processor

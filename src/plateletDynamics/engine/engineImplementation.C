@@ -195,6 +195,7 @@ void engine::implementation::load(platelets&& loaded)
     problem_.clear();
     departures_.clear();
 
+    near_.forget();
     listsExpire();
 }
 

@@ -200,6 +200,31 @@ void neighbourList::build
     neighbour_.reserve(end + mostLanes);
     std::fill_n(neighbour_.data() + end, mostLanes, 0);
 
+    // Places are the same every 2^32 units: where cells don't tell points
+    // apart, those that are that far from each other were listed too
+    bool clamped = false;
+    for (std::size_t k = 0; k < points.size(); ++k)
+    {
+        clamped =
+            clamped
+         || (
+                points.fixed[k] != platelets::absorbed
+             && grid.isClamped(points.position[k])
+            );
+    }
+    if (clamped)
+    {
+        remove
+        (
+            [&](int k, int j)
+            {
+                return
+                    (points.position[k] - points.position[j]).norm()
+                  > 1.001*range;
+            }
+        );
+    }
+
     divide(points.owned);
 }
 

@@ -10,6 +10,10 @@
 #define HWY_DISABLED_TARGETS \
     (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 
+// The fallback is single lanes with every compiler, and there is one
+#define HWY_BROKEN_EMU128 1
+#define HWY_COMPILE_ALL_ATTAINABLE
+
 // The file is compiled once for each set of instructions
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "vectorLoops.C"

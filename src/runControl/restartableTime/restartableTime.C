@@ -74,7 +74,9 @@ void refuseCopies()
         {
             FatalErrorInFunction
                 << "mpirun started " << ranks.c_str()
-                << " copies of a serial run. Add the option -parallel"
+                << " copies of a serial run. Add the option -parallel" << nl
+                << "    (serial runs of different cases under one mpirun: env -u "
+                << variable << " before the program's name)"
                 << exit(FatalError);
         }
     }
@@ -181,7 +183,7 @@ void Foam::restartableTime::warnOfControls() const
             << " s, its endTime is " << end << " s, its deltaT "
             << deltaTValue() << " s (controlDict)" << nl << endl;
     }
-    else if (value() + 0.99*deltaTValue() > end)
+    else if (!isAdjustTimeStep() && value() + 0.99*deltaTValue() > end)
     {
         WarningInFunction
             << "The first step of " << deltaTValue() << " s leads beyond the"
