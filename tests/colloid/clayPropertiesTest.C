@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 
 using namespace Foam;
@@ -397,8 +398,11 @@ autoPtr<Time> newTime(const fileName& root)
 
 TEST(clayProperties, readsTheCaseAndPrintsTheDefaults)
 {
-    char root[] = "/tmp/clayPropertiesXXXXXX";
-    ASSERT_NE(mkdtemp(root), nullptr);
+    std::string root
+    (
+        std::filesystem::temp_directory_path()/"clayPropertiesXXXXXX"
+    );
+    ASSERT_NE(mkdtemp(root.data()), nullptr);
     mkDir(fileName(root)/"case"/"constant");
 
     std::ofstream(fileName(root)/"case"/"constant"/"clayProperties")
@@ -422,8 +426,11 @@ TEST(clayProperties, readsTheCaseAndPrintsTheDefaults)
 
 TEST(clayProperties, saysWhatToWriteWhenTheFileIsMissing)
 {
-    char root[] = "/tmp/clayPropertiesXXXXXX";
-    ASSERT_NE(mkdtemp(root), nullptr);
+    std::string root
+    (
+        std::filesystem::temp_directory_path()/"clayPropertiesXXXXXX"
+    );
+    ASSERT_NE(mkdtemp(root.data()), nullptr);
     mkDir(fileName(root)/"case"/"constant");
 
     const auto runTime = newTime(root);

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 
 using namespace Foam;
 
@@ -426,8 +427,11 @@ flowCase::flowCase(const boxSpec& spec)
 {
     if (Pstream::master())
     {
-        char name[] = "/tmp/flowCaseXXXXXX";
-        folder_ = mkdtemp(name);
+        std::string name
+        (
+            std::filesystem::temp_directory_path()/"flowCaseXXXXXX"
+        );
+        folder_ = mkdtemp(name.data());
     }
     Pstream::scatter(folder_);
 
