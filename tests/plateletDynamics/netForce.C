@@ -181,6 +181,20 @@ TEST(netForce, isTheDoubleSumFarFromTheOrigin)
 }
 
 
+// Hundreds of neighbours each, and most with none
+TEST(netForce, isTheDoubleSumWhereDenseAndWhereThin)
+{
+    for (const double edge : {1.4, 25.0})
+    {
+        expectDoubleSum
+        (
+            scatter(400, vector::Constant(edge)),
+            cube(edge, false, false, false)
+        );
+    }
+}
+
+
 // Wider than what places tell apart, and than what cells do
 TEST(netForce, isTheDoubleSumInAVeryLongBox)
 {
@@ -310,4 +324,44 @@ TEST(netForce, isTheDoubleSumBetweenWalls)
 
         expectForces(all, space, walls, expected);
     }
+}
+
+
+TEST(netForce, isTheDoubleSumOnEachSideOfARock)
+{
+    // A slab thinner than the range of the forces, wider than the suspension
+    platelets all(scatter(300, vector(3, 2, 2)));
+    for (vector& x : all.position)
+    {
+        x[2] += x[2] < 1 ? -0.05 : 0.05;
+    }
+    boundarySurface rock;
+    addRock(rock, vector(-5, -5, 0.97), vector(8, 7, 1.03), action::platelet);
+
+    const periodicBox space(cube(3, false, false, false));
+    const engineSettings settings(settingsOf(allChoices().front()));
+
+    std::vector<vector> expected
+    (
+        wallForcesAt(all.position, space, rock, mixedForce(), settings)
+    );
+    for (const bool above : {false, true})
+    {
+        std::vector<int> side;
+        for (std::size_t k = 0; k < all.size(); ++k)
+        {
+            if ((all.position[k][2] > 1) == above)
+            {
+                side.push_back(int(k));
+            }
+        }
+        platelets part(all);
+        part.reorder(side);
+        const auto force = doubleSum(part, space, mixedForce(), settings);
+        for (std::size_t i = 0; i < side.size(); ++i)
+        {
+            expected[side[i]] += force[i];
+        }
+    }
+    expectForces(all, space, rock, expected);
 }

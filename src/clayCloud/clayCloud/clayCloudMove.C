@@ -166,6 +166,7 @@ void Foam::clayCloud::move(const volVectorField& Uwater, const scalar deltaT)
 
     if (matter_.concentrationVaries())
     {
+        const std::string kernelBefore(engine_->kernelName());
         asFatalError
         (
             units,
@@ -178,6 +179,10 @@ void Foam::clayCloud::move(const volVectorField& Uwater, const scalar deltaT)
                 );
             }
         );
+        if (engine_->kernelName() != kernelBefore)
+        {
+            Info<< "Pair kernel: " << engine_->kernelName().c_str() << endl;
+        }
     }
 
     labelList idsBefore(size());

@@ -7,6 +7,7 @@
 #include "cellOrder.H"
 
 #include <limits>
+#include <numeric>
 
 namespace plateletDynamics
 {
@@ -65,30 +66,11 @@ public:
 } // End namespace
 
 
-cellOrder::cellOrder
-(
-    const cellKeys& grid,
-    const std::vector<vector>& position,
-    const std::vector<std::uint8_t>& fixed
-)
+cellOrder::cellOrder(const std::vector<std::int64_t>& keys)
 {
-    std::vector<std::int64_t> keys;
-    std::vector<int> points;
-    keys.reserve(position.size());
-    points.reserve(position.size());
-
-    for (std::size_t k = 0; k < position.size(); ++k)
-    {
-        if (fixed[k] != platelets::absorbed)
-        {
-            keys.push_back(grid.key(position[k]));
-            points.push_back(int(k));
-        }
-    }
-
-    const std::size_t n = points.size();
+    const std::size_t n = keys.size();
     const cuboid all(keys);
-    std::vector<int> order(n);
+    index.resize(n);
 
     if (all.cells() <= mostCellsPerPoint*double(n))
     {
@@ -104,30 +86,24 @@ cellOrder::cellOrder
         }
         for (std::size_t i = 0; i < n; ++i)
         {
-            order[begin[all.number(keys[i])]++] = int(i);
+            index[begin[all.number(keys[i])]++] = int(i);
         }
     }
     else
     {
-        for (std::size_t i = 0; i < n; ++i)
-        {
-            order[i] = int(i);
-        }
+        std::iota(index.begin(), index.end(), 0);
         std::stable_sort
         (
-            order.begin(), order.end(),
+            index.begin(), index.end(),
             [&](int a, int b) { return keys[a] < keys[b]; }
         );
     }
 
-    index.resize(n);
     for (std::size_t i = 0; i < n; ++i)
     {
-        index[i] = points[order[i]];
-
-        if (i == 0 || keys[order[i]] != keys[order[i - 1]])
+        if (i == 0 || keys[index[i]] != keys[index[i - 1]])
         {
-            cells.push_back({keys[order[i]], int(i)});
+            cells.push_back({keys[index[i]], int(i)});
         }
     }
     cells.push_back({std::numeric_limits<std::int64_t>::max(), int(n)});

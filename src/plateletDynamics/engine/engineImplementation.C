@@ -80,7 +80,8 @@ engine::implementation::implementation
     settings_(settings),
     ranks_(communicator),
     integrator_(integrator::New(settings.integrator)),
-    near_(ranks_, space_, limits_)
+    loops_(vectorLoops::choose(settings.instructions)),
+    near_(ranks_, space_, limits_, loops_)
 {
     changeForce(std::move(force), settings.cutOff);
 }
@@ -99,7 +100,7 @@ void engine::implementation::changeForce
     (
         std::move(force), settings_.thickness, cutOff
     );
-    kernel_ = pairKernel::New(*force_, settings_);
+    kernel_ = pairKernel::New(*force_, settings_, loops_);
     near_.setRange(cutOff, force_->wallCutOff(), settings_.skin);
     listsExpire();
 }
@@ -224,7 +225,7 @@ void engine::implementation::evaluateForces(bool maySort)
     pairKernel::events met;
     local_.force.assign(local_.size(), settings_.bodyForce);
 
-    const auto addForces = [&](const std::vector<rowRange>& rows)
+    const auto addForces = [&](const std::vector<int>& rows)
     {
         const stopwatch watch(counters_.forceSeconds);
         kernel_->addForces
@@ -237,6 +238,10 @@ void engine::implementation::evaluateForces(bool maySort)
     addForces(near_.pairs().interior());
     near_.finish();
     addForces(near_.pairs().boundary());
+    {
+        const stopwatch watch(counters_.forceSeconds);
+        kernel_->finishForces(near_.points(), local_.force);
+    }
 
     if (met.coincidence && problem_.empty())
     {
@@ -342,7 +347,7 @@ double engine::implementation::virial()
 
 const engineCounters& engine::implementation::counters()
 {
-    counters_.listedPairs = near_.pairs().size();
+    counters_.listedPairs = near_.pairs().pairs();
     counters_.listSeconds = near_.listSeconds();
     counters_.haloSeconds = near_.haloSeconds();
 

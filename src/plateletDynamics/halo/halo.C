@@ -46,6 +46,35 @@ std::vector<bounds> allBounds
     return all;
 }
 
+
+//- Platelets that are tested together: those that follow each other are near
+constexpr std::size_t block = 16;
+
+
+//- The bounds of every so many own points
+std::vector<bounds> boundsOfBlocks(const kernelPoints& points)
+{
+    std::vector<bounds> blocks((points.owned + block - 1)/block);
+    for (std::size_t k = 0; k < points.owned; ++k)
+    {
+        if (points.fixed[k] != platelets::absorbed)
+        {
+            blocks[k/block].include(points.position[k]);
+        }
+    }
+    return blocks;
+}
+
+
+//- The bounds, displaced
+bounds moved(const bounds& original, const vector& shift)
+{
+    bounds image(original);
+    image.lower += shift;
+    image.upper += shift;
+    return image;
+}
+
 } // End namespace
 
 
@@ -60,6 +89,7 @@ void halo::chooseGhosts(const kernelPoints& points, double range)
 {
     const std::vector<bounds> all(allBounds(ranks_, points));
     const bounds& own = all[ranks_.rank()];
+    const std::vector<bounds> blocks(boundsOfBlocks(points));
 
     partners_.clear();
     for (int rank = 0; rank < ranks_.size(); ++rank)
@@ -77,26 +107,36 @@ void halo::chooseGhosts(const kernelPoints& points, double range)
                 continue;
             }
 
-            bounds image(own);
-            image.lower += shift;
-            image.upper += shift;
-            if (!image.overlaps(all[rank], range))
+            if (!moved(own, shift).overlaps(all[rank], range))
             {
                 continue;
             }
 
-            for (std::size_t k = 0; k < points.owned; ++k)
+            for (std::size_t b = 0; b < blocks.size(); ++b)
             {
-                const vector x(points.position[k] + shift);
-
                 if
                 (
-                    points.fixed[k] != platelets::absorbed
-                 && all[rank].distanceSquared(x) < range*range
+                    blocks[b].empty()
+                 || !moved(blocks[b], shift).overlaps(all[rank], range)
                 )
                 {
-                    other.index.push_back(int(k));
-                    other.shift.push_back(std::uint8_t(s));
+                    continue;
+                }
+
+                const std::size_t end = std::min(block*(b + 1), points.owned);
+                for (std::size_t k = block*b; k < end; ++k)
+                {
+                    const vector x(points.position[k] + shift);
+
+                    if
+                    (
+                        points.fixed[k] != platelets::absorbed
+                     && all[rank].distanceSquared(x) < range*range
+                    )
+                    {
+                        other.index.push_back(int(k));
+                        other.shift.push_back(std::uint8_t(s));
+                    }
                 }
             }
         }
@@ -217,7 +257,7 @@ void halo::rebuild(kernelPoints& points, double range)
 
     exchangeNames(points);
     start(points);
-    finish(points);
+    finish();
 }
 
 
@@ -264,11 +304,10 @@ void halo::start(kernelPoints& points)
 }
 
 
-void halo::finish(kernelPoints& points)
+void halo::finish()
 {
     wait(underWay_);
     underWay_.clear();
-    points.setPlaces(points.owned, points.size());
 }
 
 } // End namespace plateletDynamics

@@ -29,6 +29,10 @@ constexpr double largestSkin = 0.5;
 //  that the choice does not depend on clocks
 constexpr double costOfLists = 5;
 
+//- How much a cluster's pairs reach beyond those of a point, in edges of the
+//  cube that holds as many platelets. Measured (tests/benchmarks)
+constexpr double reachOfClusters = 1.1;
+
 //- Weight of the newest figure in the mean use of the skin
 constexpr double newest = 0.3;
 
@@ -39,13 +43,15 @@ neighbourhood::neighbourhood
 (
     const rankGroup& ranks,
     const periodicBox& space,
-    const boundarySurface& limits
+    const boundarySurface& limits,
+    const vectorLoops& loops
 )
 :
     ranks_(ranks),
     space_(space),
     limits_(limits),
-    halo_(ranks, space)
+    halo_(ranks, space),
+    pairs_(loops)
 {}
 
 
@@ -84,7 +90,7 @@ void neighbourhood::setRange(double cutOff, double wallCutOff, double skin)
         // Images one period away are all that there are
         mostSkin_ = std::min(mostSkin_, period - cutOff);
     }
-    chooseSkin();
+    skin_ = mostSkin_;
 
     // Walls that reach farther than need be are right too
     if (!walls_ || cutOff_ + mostSkin_ > wallsReach_)
@@ -96,7 +102,45 @@ void neighbourhood::setRange(double cutOff, double wallCutOff, double skin)
 }
 
 
-void neighbourhood::chooseSkin()
+double neighbourhood::clusterEdge(const platelets& local) const
+{
+    bounds around;
+    for (std::size_t k = 0; k < local.size(); ++k)
+    {
+        if (local.fixed[k] != platelets::absorbed)
+        {
+            around.include(local.position[k]);
+        }
+    }
+
+    // From the mean number in the cell of a platelet, beside itself
+    const cellKeys grid(around, vector::Constant(cutOff_));
+    std::vector<std::int64_t> keys;
+    keys.reserve(local.size());
+    for (std::size_t k = 0; k < local.size(); ++k)
+    {
+        if (local.fixed[k] != platelets::absorbed)
+        {
+            keys.push_back(grid.key(local.position[k]));
+        }
+    }
+    const cellOrder order(keys);
+    double others = 0;
+    for (std::size_t c = 0; c + 1 < order.cells.size(); ++c)
+    {
+        const double number = order.cells[c + 1].begin - order.cells[c].begin;
+        others += number*(number - 1);
+    }
+
+    const double most = clusterSize;
+    const double edge =
+        cutOff_*std::cbrt(most/std::max(others/std::max(keys.size(), std::size_t(1)), most));
+
+    return ranks_.max(edge);
+}
+
+
+void neighbourhood::chooseSkin(double clusterEdge)
 {
     skin_ = mostSkin_;
 
@@ -110,10 +154,11 @@ void neighbourhood::chooseSkin()
         return;
     }
 
-    // The least of (cutOff + skin)^3 (1 + w/skin): pairs listed, evaluated in
+    // The least of (reach + skin)^3 (1 + w/skin): pairs listed, evaluated in
     // every step and listed every skin/use steps
+    const double reach = cutOff_ + reachOfClusters*clusterEdge;
     const double w = costOfLists*skinUse_;
-    const double best = (std::sqrt(w*w + 3*w*cutOff_) - w)/3;
+    const double best = (std::sqrt(w*w + 3*w*reach) - w)/3;
 
     skin_ = std::min(skin_, std::max(best, leastSkin*cutOff_));
 }
@@ -130,32 +175,59 @@ void neighbourhood::noteSkinUse()
 }
 
 
-cellKeys neighbourhood::gridAround(const platelets& local) const
+void neighbourhood::sort(platelets& local, double clusterEdge) const
 {
     bounds around;
+    std::vector<int> present;
     for (std::size_t k = 0; k < local.size(); ++k)
     {
         if (local.fixed[k] != platelets::absorbed)
         {
             around.include(local.position[k]);
+            present.push_back(int(k));
         }
     }
-    return cellKeys(around, (cutOff_ + skin_)/cellKeys::reach);
-}
 
+    // Columns, cut short for the search by counting
+    const cellKeys grid
+    (
+        around, vector(0.5*clusterEdge, clusterEdge, clusterEdge)
+    );
+    std::vector<std::int64_t> keys;
+    keys.reserve(present.size());
+    for (const int k : present)
+    {
+        keys.push_back(grid.pathKey(local.position[k]));
+    }
 
-void neighbourhood::sort(platelets& local, const cellKeys& grid) const
-{
-    cellOrder order(grid, local.position, local.fixed);
-
+    cellOrder order(keys);
     for (std::size_t c = 0; c + 1 < order.cells.size(); ++c)
     {
+        const double sign = cellKeys::isBackward(order.cells[c].key) ? -1 : 1;
+
         std::sort
         (
             order.index.begin() + order.cells[c].begin,
             order.index.begin() + order.cells[c + 1].begin,
-            [&](int a, int b) { return local.id[a] < local.id[b]; }
+            [&](int a, int b)
+            {
+                const double ahead = sign*
+                (
+                    local.position[present[b]][0]
+                  - local.position[present[a]][0]
+                );
+                return
+                    ahead > 0
+                 || (
+                        ahead == 0
+                     && local.id[present[a]] < local.id[present[b]]
+                    );
+            }
         );
+    }
+    for (int& k : order.index)
+    {
+        k = present[k];
     }
     local.reorder(order.index);
 }
@@ -212,6 +284,7 @@ void neighbourhood::listWalls()
     {
         pairs_.remove
         (
+            points_,
             [&](int k, int j) { return sight.interrupted(k, j); }
         );
     }
@@ -223,12 +296,12 @@ void neighbourhood::rebuild(platelets& local, bool maySort)
     const stopwatch watch(listSeconds_);
     const double waitedBefore = halo_.seconds();
 
-    chooseSkin();
     takeBack(local);
-    const cellKeys grid(gridAround(local));
+    const double edge = clusterEdge(local);
+    chooseSkin(edge);
     if (maySort)
     {
-        sort(local, grid);
+        sort(local, edge);
     }
     wraps_.assign(local.size(), {0, 0, 0});
 
@@ -240,15 +313,15 @@ void neighbourhood::rebuild(platelets& local, bool maySort)
     (
         local.position.begin(), local.position.end(), points_.position.begin()
     );
-    points_.setPlaces(0, points_.owned);
+    halo_.rebuild(points_, cutOff_ + skin_);
+
+    points_.formClusters(1.5*edge);
     listed_.assign
     (
-        points_.place.begin(), points_.place.begin() + points_.owned
+        points_.place.begin(), points_.place.begin() + points_.ownedClusters
     );
     movedSquared_ = 0;
-
-    halo_.rebuild(points_, cutOff_ + skin_);
-    pairs_.build(points_, grid, cutOff_ + skin_);
+    pairs_.build(points_, cutOff_ + skin_);
     listWalls();
 
     // Waiting is counted apart
@@ -261,7 +334,8 @@ void neighbourhood::finish()
 {
     if (arriving_)
     {
-        halo_.finish(points_);
+        halo_.finish();
+        points_.setPlaces(points_.owned, points_.size());
         arriving_ = false;
     }
 }

@@ -19,7 +19,8 @@ namespace plateletDynamics
 std::unique_ptr<pairKernel> pairKernel::New
 (
     const taperedForce& force,
-    const engineSettings& settings
+    const engineSettings& settings,
+    const vectorLoops& loops
 )
 {
     if (settings.pairKernel == engineSettings::kernel::exact)
@@ -30,26 +31,28 @@ std::unique_ptr<pairKernel> pairKernel::New
         );
     }
 
+    forceTable table(force, settings.tableTolerance);
+
     if (settings.pairKernel == engineSettings::kernel::fast)
     {
-        auto vectors = std::make_unique<vectorKernel>
+        registerTable registers
         (
             force,
             settings.spacing > 0
           ? std::min(settings.spacing, settings.cutOff) : settings.cutOff,
-            settings.tableTolerance,
-            settings.instructions
+            loops.intervals,
+            settings.tableTolerance
         );
-        if (vectors->valid())
+        if (registers.valid())
         {
-            return vectors;
+            return std::make_unique<vectorKernel>
+            (
+                force, loops, std::move(registers), std::move(table)
+            );
         }
     }
 
-    return std::make_unique<scalarKernel<forceTable>>
-    (
-        force, forceTable(force, settings.tableTolerance)
-    );
+    return std::make_unique<scalarKernel<forceTable>>(force, std::move(table));
 }
 
 } // End namespace plateletDynamics

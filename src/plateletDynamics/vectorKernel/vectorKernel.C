@@ -8,23 +8,25 @@
 
 #include "userError.H"
 
+#include <utility>
+
 namespace plateletDynamics
 {
 
 vectorKernel::vectorKernel
 (
     const taperedForce& force,
-    double spacing,
-    double tolerance,
-    const std::string& instructions
+    const vectorLoops& loops,
+    registerTable table,
+    forceTable near
 )
 :
-    plain_(force, forceTable(force, tolerance)),
-    loops_(vectorLoops::choose(instructions)),
-    table_(force, spacing, loops_.intervals, tolerance),
+    plain_(force, std::move(near)),
+    loops_(loops),
+    table_(std::move(table)),
     cutOffSquared_(force.cutOff()*force.cutOff())
 {
-    for (int k = 0; valid() && k <= table_.degree(); ++k)
+    for (int k = 0; k <= table_.degree(); ++k)
     {
         const auto& power = table_.coefficients(k);
         coefficients_.insert(coefficients_.end(), power.begin(), power.end());
@@ -45,91 +47,86 @@ std::string vectorKernel::name() const
 void vectorKernel::addForces
 (
     const kernelPoints& points,
-    const neighbourList& pairs,
-    const std::vector<rowRange>& rows,
+    const clusterPairs& pairs,
+    const std::vector<int>& rows,
     std::vector<vector>& force,
     events& met
-) const
+)
 {
-    static_assert
-    (
-        sizeof(vector) == 3*sizeof(double),
-        "forces are handed over as rows of doubles"
-    );
+    // Zero after finishForces()
+    sum_.resize(points.clusters(), clusterForces{});
 
     const double units = 1/(points.unit*points.unit);
+
+    auto addNear = [&](int cluster, int partner, int i, int j)
+    {
+        const auto own = points.cluster[cluster];
+        const auto other = points.cluster[partner];
+        const int k = own.first + i;
+        const int l = other.first + j;
+
+        // Lanes without a point and absorbed platelets were moved away alike
+        if
+        (
+            i < own.count && j < other.count
+         && (points.position[k] - points.position[l]).squaredNorm()
+          < cutOffSquared_
+        )
+        {
+            const vector onK(plain_.force(points, k, l, met));
+
+            force[k] += onK;
+            if (l < int(points.owned))
+            {
+                force[l] -= onK;
+            }
+        }
+    };
+    using caller = decltype(addNear);
 
     pairSums task;
     task.place = points.place.data();
     task.start = pairs.starts();
-    task.neighbour = pairs.neighbours();
+    task.startOfMasks = pairs.startsOfMasks();
+    task.partner = pairs.partners();
+    task.mask = pairs.masks();
     task.cutOffSquared = float(cutOffSquared_*units);
     task.nearSquared = float(table_.beginSquared()*units);
     task.scale = float(1/(table_.taperSquared()*units));
     task.coefficients = coefficients_.data();
-    task.unit = points.unit;
-    task.force = force.empty() ? nullptr : force[0].data();
-    const auto loop =
-        loops_.addForces[table_.degree() - registerTable::lowestDegree];
-
-    // Room for the near pairs of at least one row
-    std::vector<int> nearRow(4096);
-    std::vector<int> nearEntry(nearRow.size());
-
-    for (const rowRange& range : rows)
+    task.force = sum_.data();
+    task.caller = &addNear;
+    task.near = [](void* object, int cluster, int partner, int i, int j)
     {
-        task.begin = range.begin;
-        task.end = range.end;
+        (*static_cast<caller*>(object))(cluster, partner, i, j);
+    };
 
-        while (task.begin < task.end)
-        {
-            task.nearRow = nearRow.data();
-            task.nearEntry = nearEntry.data();
-            task.nNear = 0;
-            task.mostNear = nearRow.size() - mostLanes;
+    task.row = rows.data();
+    task.rows = rows.size();
 
-            const int begun = task.begin;
-            loop(task);
-
-            for (std::size_t i = 0; i < task.nNear; ++i)
-            {
-                addNear
-                (
-                    points,
-                    nearRow[i],
-                    nearEntry[i]/latticePlace::entry,
-                    force,
-                    met
-                );
-            }
-            if (task.begin == begun)
-            {
-                nearRow.resize(2*nearRow.size());
-                nearEntry.resize(nearRow.size());
-            }
-        }
-    }
+    loops_.addForces[table_.degree() - registerTable::lowestDegree](task);
 }
 
 
-void vectorKernel::addNear
+void vectorKernel::finishForces
 (
     const kernelPoints& points,
-    int k,
-    int j,
-    std::vector<vector>& force,
-    events& met
-) const
+    std::vector<vector>& force
+)
 {
-    // Two absorbed ones were moved away alike
-    if
-    (
-        (points.position[k] - points.position[j]).squaredNorm()
-      < cutOffSquared_
-    )
+    for (int c = 0; c < points.ownedClusters; ++c)
     {
-        force[k] += plain_.force(points, k, j, met);
+        const auto own = points.cluster[c];
+        for (int i = 0; i < own.count; ++i)
+        {
+            force[own.first + i] +=
+                points.unit*vector(sum_[c].x[i], sum_[c].y[i], sum_[c].z[i]);
+        }
+        sum_[c] = {};
     }
+
+    // Those of ghosts belong to other ranks
+    std::fill(sum_.begin() + points.ownedClusters, sum_.end(), clusterForces{});
 }
 
 } // End namespace plateletDynamics

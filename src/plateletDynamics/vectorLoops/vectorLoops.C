@@ -6,6 +6,10 @@
 
 #include "vectorLoops.H"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 // Lanes whose number is only known when the program runs
 #define HWY_DISABLED_TARGETS \
     (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
@@ -19,6 +23,7 @@
 #define HWY_TARGET_INCLUDE "vectorLoops.C"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
+#include <hwy/cache_control.h>
 
 HWY_BEFORE_NAMESPACE();
 
@@ -31,41 +36,93 @@ namespace HWY_NAMESPACE
 
 // A processor without vectors: the engine takes its plain kernel
 
+//- The difference of two places along one axis
+inline float difference(std::int32_t a, std::int32_t b)
+{
+    return float(std::int32_t(std::uint32_t(a) - std::uint32_t(b)));
+}
+
+
 std::size_t search
 (
-    const rangeSearch& row,
+    const boxSearch& boxes,
+    int self,
     int begin,
     int end,
-    const latticePlace& place,
-    int self,
-    float rangeSquared,
     int* found
 )
 {
-    const auto difference = [](std::int32_t a, std::int32_t b)
+    const auto gap = [](float apart, float edges)
     {
-        return float(std::int32_t(std::uint32_t(a) - std::uint32_t(b)));
+        return std::max(std::abs(apart) - edges, 0.0f);
     };
     const int* const first = found;
 
     for (int i = begin; i < end; ++i)
     {
-        const float dx = difference(place.x, row.x[i]);
-        const float dy = difference(place.y, row.y[i]);
-        const float dz = difference(place.z, row.z[i]);
+        const float dx = gap
+        (
+            difference(boxes.x[self], boxes.x[i]),
+            boxes.halfX[self] + boxes.halfX[i]
+        );
+        const float dy = gap
+        (
+            difference(boxes.y[self], boxes.y[i]),
+            boxes.halfY[self] + boxes.halfY[i]
+        );
+        const float dz = gap
+        (
+            difference(boxes.z[self], boxes.z[i]),
+            boxes.halfZ[self] + boxes.halfZ[i]
+        );
 
         // Without a branch, which would be mispredicted
-        *found = row.entry[i];
+        *found = boxes.entry[i];
         found +=
-            (dx*dx + dy*dy + dz*dz < rangeSquared) & (row.entry[i] != self);
+            (dx*dx + dy*dy + dz*dz < boxes.rangeSquared)
+          & (boxes.entry[i] > boxes.entry[self]);
     }
     return found - first;
 }
 
 
+std::size_t prune
+(
+    const clusterPlaces* place,
+    int cluster,
+    float rangeSquared,
+    int* partner,
+    std::size_t count
+)
+{
+    const clusterPlaces& own = place[cluster];
+    std::size_t kept = 0;
+
+    for (std::size_t n = 0; n < count; ++n)
+    {
+        const clusterPlaces& other = place[partner[n]];
+        float least = rangeSquared;
+
+        for (int i = 0; i < clusterSize; ++i)
+        {
+            for (int j = 0; j < clusterSize; ++j)
+            {
+                const float dx = difference(own.x[i], other.x[j]);
+                const float dy = difference(own.y[i], other.y[j]);
+                const float dz = difference(own.z[i], other.z[j]);
+                least = std::min(least, dx*dx + dy*dy + dz*dz);
+            }
+        }
+        partner[kept] = partner[n];
+        kept += least < rangeSquared;
+    }
+    return kept;
+}
+
+
 vectorLoops loops()
 {
-    return {"plain", 0, {}, search};
+    return {"plain", 0, {}, search, prune};
 }
 
 #else
@@ -74,79 +131,115 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using floats = hn::CappedTag<float, mostLanes>;
 using ints = hn::RebindToSigned<floats>;
-using fourInts = hn::CappedTag<std::int32_t, 4>;
 using floatVector = hn::Vec<floats>;
 using intVector = hn::Vec<ints>;
 
 constexpr int lanes = int(hn::MaxLanes(floats()));
 
+//- Points of a cluster whose pairs with four others fill a vector, and vectors
+//  for all pairs of two clusters
+constexpr int pointsPerVector = lanes/clusterSize;
+constexpr int parts = clusterSize/pointsPerVector;
+
 //- Intervals of the table: one register, or two where one holds only four
 constexpr int tableIntervals = lanes == 16 ? 16 : 8;
 
+//- Pairs of clusters between two passes: their numbers fit into the nearest
+//  cache
+constexpr int chunk = 32;
 
-struct places
+//- Whether vectors without a pair in range are passed over: as many as half of
+//  the narrowest, too few of the others to be worth the choice
+constexpr bool choosy = lanes == clusterSize;
+
+//- A squared distance beyond all [units^2]
+constexpr float farAway = 1e30f;
+
+
+//- The points of a cluster, each as often as a cluster has points
+struct ownPlaces
 {
-    intVector x;
-    intVector y;
-    intVector z;
+    intVector x[parts];
+    intVector y[parts];
+    intVector z[parts];
+
+    HWY_INLINE explicit ownPlaces(const clusterPlaces& own)
+    {
+        for (int p = 0; p < parts; ++p)
+        {
+            x[p] = repeated(own.x + p*pointsPerVector);
+            y[p] = repeated(own.y + p*pointsPerVector);
+            z[p] = repeated(own.z + p*pointsPerVector);
+        }
+    }
+
+private:
+
+    static HWY_INLINE intVector repeated(const std::int32_t* value)
+    {
+        HWY_ALIGN std::int32_t each[lanes];
+        for (int i = 0; i < lanes; ++i)
+        {
+            each[i] = value[i/clusterSize];
+        }
+        return hn::Load(ints(), each);
+    }
 };
 
 
-//- The place that an entry of a list names
-HWY_INLINE hn::Vec<fourInts> load(const latticePlace* place, int entry)
+//- The displacements of a part of the pairs of two clusters, in units
+struct displacements
 {
-    const auto pieces = reinterpret_cast<const std::int64_t*>(place);
+    floatVector x;
+    floatVector y;
+    floatVector z;
 
-    return hn::Load
+    HWY_INLINE displacements
     (
-        fourInts(),
-        reinterpret_cast<const std::int32_t*>(pieces + std::uint32_t(entry))
-    );
-}
+        const ownPlaces& own,
+        int part,
+        const clusterPlaces& other
+    )
+    :
+        x(along(own.x[part], other.x)),
+        y(along(own.y[part], other.y)),
+        z(along(own.z[part], other.z))
+    {}
 
-
-//- The places number 0, 4, 8, 12 (as many as there are lanes for), side by side
-HWY_INLINE intVector everyFourth(const latticePlace* place, const int* entry)
-{
-#if HWY_CAP_GE512
-    const hn::Half<ints> eight;
-    return hn::Combine
-    (
-        ints(),
-        hn::Combine(eight, load(place, entry[12]), load(place, entry[8])),
-        hn::Combine(eight, load(place, entry[4]), load(place, entry[0]))
-    );
-#elif HWY_CAP_GE256
-    return hn::Combine(ints(), load(place, entry[4]), load(place, entry[0]));
-#else
-    return load(place, entry[0]);
-#endif
-}
-
-
-//- The places of as many neighbours as there are lanes
-HWY_INLINE places gather(const latticePlace* place, const int* entry)
-{
-    const ints di;
-    const hn::RepartitionToWide<ints> wide;
-
-    const auto a = everyFourth(place, entry);
-    const auto b = everyFourth(place, entry + 1);
-    const auto c = everyFourth(place, entry + 2);
-    const auto d = everyFourth(place, entry + 3);
-
-    // Rows of four become columns
-    const auto xyab = hn::BitCast(wide, hn::InterleaveLower(di, a, b));
-    const auto xycd = hn::BitCast(wide, hn::InterleaveLower(di, c, d));
-    const auto zab = hn::BitCast(wide, hn::InterleaveUpper(di, a, b));
-    const auto zcd = hn::BitCast(wide, hn::InterleaveUpper(di, c, d));
-
-    return
+    //- Their squares, and one unit^2: 0 stands for none in range
+    HWY_INLINE floatVector squared() const
     {
-        hn::BitCast(di, hn::InterleaveLower(wide, xyab, xycd)),
-        hn::BitCast(di, hn::InterleaveUpper(wide, xyab, xycd)),
-        hn::BitCast(di, hn::InterleaveLower(wide, zab, zcd))
+        const auto one = hn::Set(floats(), 1.0f);
+
+        return hn::MulAdd(x, x, hn::MulAdd(y, y, hn::MulAdd(z, z, one)));
+    }
+
+private:
+
+    static HWY_INLINE floatVector along
+    (
+        intVector own,
+        const std::int32_t* other
+    )
+    {
+        return hn::ConvertTo
+        (
+            floats(), hn::Sub(own, hn::LoadDup128(ints(), other))
+        );
+    }
+};
+
+
+//- Lanes of a part that a mask names
+HWY_INLINE hn::Mask<floats> lanesOf(std::uint16_t mask, int part)
+{
+    const unsigned bits = unsigned(mask) >> (part*lanes);
+    const std::uint8_t bytes[8] =
+    {
+        std::uint8_t(bits & ((1u << std::min(lanes, 8)) - 1)),
+        std::uint8_t(bits >> 8)
     };
+    return hn::LoadMaskBits(floats(), bytes);
 }
 
 
@@ -194,8 +287,124 @@ struct powerTable
 };
 
 
+//- Some pairs of clusters between the passes: vectors one after the other
+struct chunkOfPairs
+{
+    HWY_ALIGN float x[chunk*mostLanes];
+    HWY_ALIGN float y[chunk*mostLanes];
+    HWY_ALIGN float z[chunk*mostLanes];
+
+    //- Squared distance, 0 in vectors passed over; then force over distance
+    HWY_ALIGN float value[chunk*mostLanes];
+
+    //- Where the vectors to calculate begin
+    int vectors[chunk*parts + 1];
+
+    //- Of a row those pairs that are in this chunk
+    struct segment
+    {
+        int cluster;
+        const int* partner;
+        int count;
+    };
+    segment segments[chunk];
+
+    int nSegments;
+    int nPairs;
+    int nVectors;
+    floatVector least;
+
+    HWY_INLINE void clear()
+    {
+        nSegments = 0;
+        nPairs = 0;
+        nVectors = 0;
+        least = hn::Set(floats(), farAway);
+    }
+};
+
+
+//- First pass: distances to one partner; those of other lanes than named by
+//  the mask are far. `least` is the least of these and of those before
+template<bool masked>
+HWY_INLINE void addDistances
+(
+    chunkOfPairs& pairs,
+    int number,
+    const ownPlaces& own,
+    const clusterPlaces& partner,
+    std::uint16_t mask,
+    floatVector cutOffSquared,
+    floatVector& least,
+    int& nVectors
+)
+{
+    const floats d;
+
+    for (int p = 0; p < parts; ++p)
+    {
+        const int at = number*mostLanes + p*lanes;
+        const displacements apart(own, p, partner);
+        auto r2 = apart.squared();
+        if (masked)
+        {
+            r2 = hn::IfThenElse(lanesOf(mask, p), r2, hn::Set(d, farAway));
+        }
+        least = hn::Min(least, r2);
+
+        hn::Store(apart.x, d, pairs.x + at);
+        hn::Store(apart.y, d, pairs.y + at);
+        hn::Store(apart.z, d, pairs.z + at);
+        if (choosy)
+        {
+            const auto inRange = hn::Lt(r2, cutOffSquared);
+            r2 = hn::IfThenElseZero(inRange, r2);
+            pairs.vectors[nVectors] = at;
+            nVectors += !hn::AllFalse(d, inRange);
+        }
+        hn::Store(r2, d, pairs.value + at);
+    }
+    if (!choosy)
+    {
+        nVectors += parts;
+    }
+}
+
+
+//- Call the caller for pairs that are near, and put them out of range
+void sortOutNear(const pairSums& task, chunkOfPairs& pairs)
+{
+    float* value = pairs.value;
+
+    for (int s = 0; s < pairs.nSegments; ++s)
+    {
+        const auto& segment = pairs.segments[s];
+        for (int n = 0; n < segment.count*mostLanes; ++n, ++value)
+        {
+            if (*value > 0 && *value < task.nearSquared)
+            {
+                task.near
+                (
+                    task.caller,
+                    segment.cluster,
+                    segment.partner[n/mostLanes],
+                    n%mostLanes/clusterSize,
+                    n%clusterSize
+                );
+                *value = choosy ? 0 : farAway;
+            }
+        }
+    }
+}
+
+
+//- Second pass: from squared distances to forces over distances
 template<int degree>
-void addForces(pairSums& task)
+HWY_INLINE void calculateForces
+(
+    const pairSums& task,
+    chunkOfPairs& pairs
+)
 {
     const floats d;
     const ints di;
@@ -210,133 +419,314 @@ void addForces(pairSums& task)
 
     const auto scale = hn::Set(d, task.scale);
     const auto cutOffSquared = hn::Set(d, task.cutOffSquared);
-    const auto nearSquared = hn::Set(d, task.nearSquared);
     const auto mantissa = hn::Set(di, (1 << mantissaBits) - 1);
     const auto one = hn::BitCast(di, hn::Set(d, 1.0f));
     const auto middle = hn::Set(d, 1.5f);
 
-    const latticePlace* const place = task.place;
-    int* const nearRow = task.nearRow;
-    int* const nearEntry = task.nearEntry;
-    std::size_t nNear = task.nNear;
-    int k = task.begin;
-
-    for (; k < task.end; ++k)
+    for (int n = 0; n < pairs.nVectors; ++n)
     {
-        const int* j = task.neighbour + task.start[k];
-        const int* const end = task.neighbour + task.start[k + 1];
+        const int at = choosy ? pairs.vectors[n] : n*lanes;
+        const auto r2 = hn::Load(d, pairs.value + at);
+        const auto bits = hn::BitCast(di, hn::Mul(r2, scale));
+        const auto interval = hn::ShiftRight<mantissaBits - partBits>(bits);
+        const auto t = hn::Sub
+        (
+            hn::BitCast
+            (
+                d, hn::Or(hn::And(hn::ShiftLeft<partBits>(bits), mantissa), one)
+            ),
+            middle
+        );
 
-        if (nNear + std::size_t(end - j) > task.mostNear)
+        const auto inRange =
+            choosy ? hn::Gt(r2, hn::Zero(d)) : hn::Lt(r2, cutOffSquared);
+
+        auto f = power[degree](interval);
+        for (int k = degree - 1; k >= 0; --k)
         {
-            break;
+            f = hn::MulAdd(f, t, power[k](interval));
         }
+        hn::Store
+        (
+            hn::IfThenElseZero(inRange, f),
+            d,
+            pairs.value + at
+        );
+    }
+}
 
-        const auto x = hn::Set(di, place[k].x);
-        const auto y = hn::Set(di, place[k].y);
-        const auto z = hn::Set(di, place[k].z);
 
-        auto sumX = hn::Zero(d);
-        auto sumY = hn::Zero(d);
-        auto sumZ = hn::Zero(d);
+//- Take what all points of the own cluster do to a partner from its force
+HWY_INLINE void react
+(
+    clusterForces& force,
+    floatVector x,
+    floatVector y,
+    floatVector z
+)
+{
+    const floats d;
 
-        for (; j < end; j += lanes)
+    // Blocks of four lanes: one for each own point, the lanes for the partner's
+#if HWY_CAP_GE512
+    const auto xz = hn::Add
+    (
+        hn::ConcatLowerLower(d, z, x), hn::ConcatUpperUpper(d, z, x)
+    );
+    const auto yy = hn::Add(y, hn::ConcatLowerUpper(d, y, y));
+
+    // To be added in pairs: x x z z and y y y y
+    const auto xyz = hn::Add
+    (
+        hn::OddEvenBlocks(yy, xz),
+        hn::SwapAdjacentBlocks(hn::OddEvenBlocks(xz, yy))
+    );
+    hn::Store(hn::Sub(hn::Load(d, force.x), xyz), d, force.x);
+#elif HWY_CAP_GE256
+    const hn::Half<floats> half;
+    const auto xy = hn::Add
+    (
+        hn::ConcatLowerLower(d, y, x), hn::ConcatUpperUpper(d, y, x)
+    );
+    const auto zz = hn::Add(hn::LowerHalf(half, z), hn::UpperHalf(half, z));
+    hn::Store(hn::Sub(hn::Load(d, force.x), xy), d, force.x);
+    hn::Store(hn::Sub(hn::Load(half, force.z), zz), half, force.z);
+#else
+    hn::Store(hn::Sub(hn::Load(d, force.x), x), d, force.x);
+    hn::Store(hn::Sub(hn::Load(d, force.y), y), d, force.y);
+    hn::Store(hn::Sub(hn::Load(d, force.z), z), d, force.z);
+#endif
+}
+
+
+//- The forces on the points of the own cluster
+struct ownForces
+{
+    floatVector x[parts];
+    floatVector y[parts];
+    floatVector z[parts];
+
+    HWY_INLINE ownForces()
+    {
+        for (int p = 0; p < parts; ++p)
         {
-            const places other(gather(place, j));
-
-            const auto dx = hn::ConvertTo(d, hn::Sub(x, other.x));
-            const auto dy = hn::ConvertTo(d, hn::Sub(y, other.y));
-            const auto dz = hn::ConvertTo(d, hn::Sub(z, other.z));
-            const auto r2 = hn::MulAdd
-            (
-                dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz))
-            );
-
-            auto counts = hn::And
-            (
-                hn::Lt(r2, cutOffSquared), hn::FirstN(d, std::size_t(end - j))
-            );
-            const auto near = hn::And(counts, hn::Lt(r2, nearSquared));
-
-            if (HWY_UNLIKELY(!hn::AllFalse(d, near)))
-            {
-                const auto these = hn::RebindMask(di, near);
-                hn::CompressStore
-                (
-                    hn::Set(di, k), these, di, nearRow + nNear
-                );
-                nNear += hn::CompressStore
-                (
-                    hn::LoadU(di, j), these, di, nearEntry + nNear
-                );
-                counts = hn::AndNot(near, counts);
-            }
-
-            const auto bits = hn::BitCast(di, hn::Mul(r2, scale));
-            const auto interval =
-                hn::ShiftRight<mantissaBits - partBits>(bits);
-            const auto t = hn::Sub
-            (
-                hn::BitCast
-                (
-                    d,
-                    hn::Or(hn::And(hn::ShiftLeft<partBits>(bits), mantissa), one)
-                ),
-                middle
-            );
-
-            auto f = power[degree](interval);
-            for (int p = degree - 1; p >= 0; --p)
-            {
-                f = hn::MulAdd(f, t, power[p](interval));
-            }
-            f = hn::IfThenElseZero(counts, f);
-
-            sumX = hn::MulAdd(f, dx, sumX);
-            sumY = hn::MulAdd(f, dy, sumY);
-            sumZ = hn::MulAdd(f, dz, sumZ);
+            x[p] = hn::Zero(floats());
+            y[p] = x[p];
+            z[p] = x[p];
         }
-
-        double* const force = task.force + 3*std::size_t(k);
-        force[0] += task.unit*double(hn::GetLane(hn::SumOfLanes(d, sumX)));
-        force[1] += task.unit*double(hn::GetLane(hn::SumOfLanes(d, sumY)));
-        force[2] += task.unit*double(hn::GetLane(hn::SumOfLanes(d, sumZ)));
     }
 
-    task.begin = k;
-    task.nNear = nNear;
+    HWY_INLINE void addTo(clusterForces& force) const
+    {
+        addSums(x, force.x);
+        addSums(y, force.y);
+        addSums(z, force.z);
+    }
+
+private:
+
+    //- Sums over the partners' points
+    static HWY_INLINE void addSums(const floatVector* lane, float* force)
+    {
+        const floats d;
+        HWY_ALIGN float sum[lanes];
+
+        for (int p = 0; p < parts; ++p)
+        {
+            const auto pairs = hn::Add(lane[p], hn::Shuffle2301(lane[p]));
+            hn::Store(hn::Add(pairs, hn::Shuffle1032(pairs)), d, sum);
+
+            for (int i = 0; i < pointsPerVector; ++i)
+            {
+                force[p*pointsPerVector + i] += sum[i*clusterSize];
+            }
+        }
+    }
+};
+
+
+//- Third pass: forces on both sides
+HWY_INLINE void addToBoth
+(
+    const chunkOfPairs& pairs,
+    int number,
+    ownForces& own,
+    clusterForces& partner
+)
+{
+    const floats d;
+    auto sumX = hn::Zero(d);
+    auto sumY = hn::Zero(d);
+    auto sumZ = hn::Zero(d);
+
+    for (int p = 0; p < parts; ++p)
+    {
+        const int at = number*mostLanes + p*lanes;
+        const auto f = hn::Load(d, pairs.value + at);
+        const auto x = hn::Mul(f, hn::Load(d, pairs.x + at));
+        const auto y = hn::Mul(f, hn::Load(d, pairs.y + at));
+        const auto z = hn::Mul(f, hn::Load(d, pairs.z + at));
+
+        own.x[p] = hn::Add(own.x[p], x);
+        own.y[p] = hn::Add(own.y[p], y);
+        own.z[p] = hn::Add(own.z[p], z);
+        sumX = p ? hn::Add(sumX, x) : x;
+        sumY = p ? hn::Add(sumY, y) : y;
+        sumZ = p ? hn::Add(sumZ, z) : z;
+    }
+    react(partner, sumX, sumY, sumZ);
+}
+
+
+//- Second and third pass
+template<int degree>
+void finish(const pairSums& task, chunkOfPairs& pairs)
+{
+    const floats d;
+
+    if
+    (
+        HWY_UNLIKELY
+        (
+            !hn::AllFalse
+            (
+                d, hn::Lt(pairs.least, hn::Set(d, task.nearSquared))
+            )
+        )
+    )
+    {
+        sortOutNear(task, pairs);
+    }
+
+    calculateForces<degree>(task, pairs);
+
+    int number = 0;
+    for (int s = 0; s < pairs.nSegments; ++s)
+    {
+        const auto segment = pairs.segments[s];
+        ownForces sum;
+
+        for (int n = 0; n < segment.count; ++n, ++number)
+        {
+            addToBoth(pairs, number, sum, task.force[segment.partner[n]]);
+        }
+        sum.addTo(task.force[segment.cluster]);
+    }
+    pairs.clear();
+}
+
+
+// In three passes, which a processor overlaps better than one long chain of
+// operations that wait for each other
+template<int degree>
+void addForces(const pairSums& task)
+{
+    const auto cutOffSquared = hn::Set(floats(), task.cutOffSquared);
+    chunkOfPairs pairs;
+    pairs.clear();
+
+    for (std::size_t r = 0; r < task.rows; ++r)
+    {
+        const int c = task.row[r];
+        const ownPlaces own(task.place[c]);
+
+        const int* partner = task.partner + task.start[c];
+        const int* const end = task.partner + task.start[c + 1];
+        const std::uint16_t* mask = task.mask + task.startOfMasks[c];
+        const std::uint16_t* const endOfMasks =
+            task.mask + task.startOfMasks[c + 1];
+
+        while (partner < end)
+        {
+            const int first = pairs.nPairs;
+            const int count =
+                int(std::min<std::ptrdiff_t>(end - partner, chunk - first));
+            int nVectors = pairs.nVectors;
+            auto least = pairs.least;
+
+            int n = 0;
+            for (; n < count && mask < endOfMasks; ++n, ++mask)
+            {
+                addDistances<true>
+                (
+                    pairs, first + n, own, task.place[partner[n]], *mask,
+                    cutOffSquared, least, nVectors
+                );
+            }
+            for (; n < count; ++n)
+            {
+                addDistances<false>
+                (
+                    pairs, first + n, own, task.place[partner[n]], allLanes,
+                    cutOffSquared, least, nVectors
+                );
+                hwy::Prefetch(task.force + partner[n]);
+                hwy::Prefetch(task.place + partner[n + fetchedAhead]);
+            }
+
+            pairs.segments[pairs.nSegments++] = {c, partner, count};
+            pairs.nPairs += count;
+            pairs.nVectors = nVectors;
+            pairs.least = least;
+            partner += count;
+
+            if (pairs.nPairs == chunk)
+            {
+                finish<degree>(task, pairs);
+            }
+        }
+    }
+    finish<degree>(task, pairs);
+}
+
+
+//- The gap along one axis between a box and others
+HWY_INLINE floatVector gap
+(
+    const std::int32_t* centre,
+    const float* half,
+    int self,
+    int i
+)
+{
+    const floats d;
+    const ints di;
+
+    const auto apart = hn::ConvertTo
+    (
+        d, hn::Sub(hn::Set(di, centre[self]), hn::LoadU(di, centre + i))
+    );
+    const auto edges = hn::Add(hn::Set(d, half[self]), hn::LoadU(d, half + i));
+
+    return hn::Max(hn::Sub(hn::Abs(apart), edges), hn::Zero(d));
 }
 
 
 std::size_t search
 (
-    const rangeSearch& row,
+    const boxSearch& boxes,
+    int self,
     int begin,
     int end,
-    const latticePlace& place,
-    int self,
-    float rangeSquared,
     int* found
 )
 {
     const floats d;
     const ints di;
-    const auto x = hn::Set(di, place.x);
-    const auto y = hn::Set(di, place.y);
-    const auto z = hn::Set(di, place.z);
-    const auto itself = hn::Set(di, self);
-    const auto range = hn::Set(d, rangeSquared);
+    const auto itself = hn::Set(di, boxes.entry[self]);
+    const auto range = hn::Set(d, boxes.rangeSquared);
     const int* const first = found;
 
     for (int i = begin; i < end; i += lanes)
     {
-        const auto dx = hn::ConvertTo(d, hn::Sub(x, hn::LoadU(di, row.x + i)));
-        const auto dy = hn::ConvertTo(d, hn::Sub(y, hn::LoadU(di, row.y + i)));
-        const auto dz = hn::ConvertTo(d, hn::Sub(z, hn::LoadU(di, row.z + i)));
+        const auto dx = gap(boxes.x, boxes.halfX, self, i);
+        const auto dy = gap(boxes.y, boxes.halfY, self, i);
+        const auto dz = gap(boxes.z, boxes.halfZ, self, i);
         const auto r2 = hn::MulAdd
         (
             dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz))
         );
-        const auto entry = hn::LoadU(di, row.entry + i);
+        const auto entry = hn::LoadU(di, boxes.entry + i);
 
         const auto near = hn::And
         (
@@ -348,11 +738,40 @@ std::size_t search
                     hn::Lt(r2, range), hn::FirstN(d, std::size_t(end - i))
                 )
             ),
-            hn::Ne(entry, itself)
+            hn::Gt(entry, itself)
         );
         found += hn::CompressStore(entry, near, di, found);
     }
     return found - first;
+}
+
+
+std::size_t prune
+(
+    const clusterPlaces* place,
+    int cluster,
+    float rangeSquared,
+    int* partner,
+    std::size_t count
+)
+{
+    const floats d;
+    const ownPlaces own(place[cluster]);
+    const auto range = hn::Set(d, rangeSquared);
+    std::size_t kept = 0;
+
+    for (std::size_t n = 0; n < count; ++n)
+    {
+        auto least = range;
+        for (int p = 0; p < parts; ++p)
+        {
+            const displacements apart(own, p, place[partner[n]]);
+            least = hn::Min(least, apart.squared());
+        }
+        partner[kept] = partner[n];
+        kept += !hn::AllFalse(d, hn::Lt(least, range));
+    }
+    return kept;
 }
 
 
@@ -366,7 +785,8 @@ vectorLoops loops()
             addForces<4>, addForces<5>, addForces<6>, addForces<7>,
             addForces<8>
         },
-        search
+        search,
+        prune
     };
 }
 

@@ -245,7 +245,7 @@ int main(int argc, char *argv[])
             const double perRank = 1/seconds/Pstream::nProcs();
             const double lists = sum(after.listSeconds - before.listSeconds);
             const double forces = sum(after.forceSeconds - before.forceSeconds);
-            const double listed = sum(after.listedPairs)/number;
+            const double listed = 2*sum(after.listedPairs)/number;
             const double bytes = sum(peakMemory() - memory)/number;
 
             if (Pstream::master())
