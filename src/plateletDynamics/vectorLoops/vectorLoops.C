@@ -264,11 +264,15 @@ struct powerTable
     {
         const floats d;
         const ints di;
+#if HWY_CAP_GE256
+        // These instructions look at the lowest bits of an index only
+        const auto entry = hn::IndicesFromVec(d, interval);
+#else
         const auto entry = hn::IndicesFromVec
         (
             d, hn::And(interval, hn::Set(di, lanes - 1))
         );
-
+#endif
         if (tableIntervals == lanes)
         {
             return hn::TableLookupLanes(low, entry);
@@ -740,7 +744,11 @@ std::size_t search
             ),
             hn::Gt(entry, itself)
         );
-        found += hn::CompressStore(entry, near, di, found);
+        // Mostly there is none
+        if (!hn::AllFalse(di, near))
+        {
+            found += hn::CompressStore(entry, near, di, found);
+        }
     }
     return found - first;
 }
