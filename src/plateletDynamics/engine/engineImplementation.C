@@ -321,16 +321,13 @@ double engine::implementation::stiffness()
     if (!stiffnessHolds_)
     {
         const stopwatch timing(counters_.stiffnessSeconds);
-        std::vector<Eigen::Matrix3d> springs
-        (
-            local_.size(), Eigen::Matrix3d::Zero()
-        );
-        kernel_->addStiffness(near_.points(), near_.pairs(), springs);
+        std::vector<springs> all(local_.size(), springs::Zero());
+        kernel_->addStiffness(near_.points(), near_.pairs(), all);
         near_.onWalls().addStiffness
         (
-            near_.walls(), near_.points(), *force_, springs
+            near_.walls(), near_.points(), *force_, all
         );
-        stiffness_ = ranks_.max(decayRateBound(local_, springs));
+        stiffness_ = ranks_.max(decayRateBound(local_, all));
         stiffnessHolds_ = true;
     }
     return stiffness_;

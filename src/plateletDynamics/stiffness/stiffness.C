@@ -14,16 +14,17 @@ namespace plateletDynamics
 double decayRateBound
 (
     const platelets& local,
-    const std::vector<Eigen::Matrix3d>& stiffness
+    const std::vector<springs>& stiffness
 )
 {
-    // What the largest eigenvalue of M is at most, from trace and norm
-    const auto atMost = [](const Eigen::Matrix3d& M)
+    // What the largest eigenvalue is at most, from trace and norm
+    const auto atMost = [](const springs& M)
     {
-        const double third = M.trace()/3;
-        return
-            third
-          + std::sqrt(std::max(0., 2./3*(M.squaredNorm() - 3*third*third)));
+        const double third = M.head<3>().sum()/3;
+        const double norm2 =
+            M.head<3>().square().sum() + 2*M.tail<3>().square().sum();
+
+        return third + std::sqrt(std::max(0., 2./3*(norm2 - 3*third*third)));
     };
 
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
@@ -31,15 +32,18 @@ double decayRateBound
 
     for (std::size_t k = 0; k < local.size(); ++k)
     {
-        if
-        (
-            local.fixed[k]
-         || atMost(stiffness[k]) <= bound*local.friction[k]
-        )
+        const springs& M = stiffness[k];
+        if (local.fixed[k] || atMost(M) <= bound*local.friction[k])
         {
             continue;
         }
-        solver.compute(stiffness[k], Eigen::EigenvaluesOnly);
+
+        Eigen::Matrix3d whole;
+        whole <<
+            M[0], M[3], M[4],
+            M[3], M[1], M[5],
+            M[4], M[5], M[2];
+        solver.compute(whole, Eigen::EigenvaluesOnly);
         bound = std::max(bound, solver.eigenvalues()[2]/local.friction[k]);
     }
     return bound;

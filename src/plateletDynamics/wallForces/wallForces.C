@@ -6,8 +6,6 @@
 
 #include "wallForces.H"
 
-#include "stiffness.H"
-
 #include <cmath>
 
 namespace plateletDynamics
@@ -294,7 +292,7 @@ void wallForces::addStiffness
     const wallRegions& walls,
     const kernelPoints& points,
     const taperedForce& law,
-    std::vector<Eigen::Matrix3d>& stiffness
+    std::vector<springs>& stiffness
 ) const
 {
     forEachWall
@@ -311,10 +309,8 @@ void wallForces::addStiffness
             const double across =
                 force < 0 && distance > 0 ? force/distance : 0;
 
-            addPairStiffness
-            (
-                stiffness[k], direction, 1, law.slope(gap), across, true
-            );
+            stiffness[k] +=
+                weight(true)*pairSprings(direction, 1, law.slope(gap), across);
         }
     );
 }
