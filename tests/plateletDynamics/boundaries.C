@@ -207,16 +207,23 @@ TEST(absorption, takesPlaceAtTheFirstOfTwoBoundaries)
 }
 
 
-TEST(absorption, losesNone)
+namespace
 {
-    // A crowd that bursts: what came in is inside or has left, and what is
-    // left feels only what is left
+
+//- A crowd that bursts: expects that what came in is inside or has left, and
+//  that what is left feels only what is left, to a bound relative to the
+//  largest force. Returns the places of what is left
+std::vector<vector> burst(engineSettings::kernel kernel, double bound)
+{
     const periodicBox space;
     const platelets all(scatter(300, vector(2, 2, 2)));
     auto chosen = settings(0);
     chosen.thickness = 0.1;
     chosen.integrator = "AdamsBashforth2";
-    chosen.pairKernel = engineSettings::kernel::exact;
+    chosen.pairKernel = kernel;
+
+    // Many leave while the same lists are in use
+    chosen.skin = 0.5;
     const auto law = std::make_shared<repulsion>();
 
     engine system(space, room(2, action::absorb), law, chosen, MPI_COMM_WORLD);
@@ -271,8 +278,21 @@ TEST(absorption, losesNone)
     const auto expected = doubleSum(inside, space, *law, chosen);
     EXPECT_LT
     (
-        largestDifference(forceInside, expected), 1e-12*largest(expected)
-    );
+        largestDifference(forceInside, expected), bound*largest(expected)
+    )   << system.kernelName();
+    return position;
+}
+
+} // End namespace
+
+
+TEST(absorption, losesNone)
+{
+    const auto exact = burst(engineSettings::kernel::exact, 1e-12);
+
+    // The same paths in vectors, but for their error over the burst
+    const auto fast = burst(engineSettings::kernel::fast, 1e-5);
+    EXPECT_LT(largestDifference(fast, exact), 1e-3);
 }
 
 

@@ -8,6 +8,7 @@
 
 #include "cellOrder.H"
 
+#include <algorithm>
 #include <cmath>
 
 namespace plateletDynamics
@@ -160,13 +161,13 @@ std::vector<rowFinder> allRows()
 }
 
 
-//- The pairs within a cluster, each once
-std::uint16_t pairsWithin()
+//- The pairs within a cluster of so many points, each once
+std::uint16_t pairsWithin(int count)
 {
     std::uint16_t mask = 0;
-    for (int i = 0; i < clusterSize; ++i)
+    for (int i = 0; i < count; ++i)
     {
-        for (int j = i + 1; j < clusterSize; ++j)
+        for (int j = i + 1; j < count; ++j)
         {
             mask |= laneBit(i, j);
         }
@@ -243,7 +244,7 @@ void clusterPairs::build(const kernelPoints& points, double range)
     for (int c = 0; c < points.ownedClusters; ++c)
     {
         partner_.push_back(c);
-        mask_.push_back(pairsWithin());
+        mask_.push_back(pairsWithin(points.cluster[c].count));
 
         const auto first = found.begin() + std::ptrdiff_t(begin[c]);
         partner_.insert(partner_.end(), first, first + count[c]);

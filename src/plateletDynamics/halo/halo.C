@@ -24,14 +24,7 @@ std::vector<bounds> allBounds
     const kernelPoints& points
 )
 {
-    bounds own;
-    for (std::size_t k = 0; k < points.owned; ++k)
-    {
-        if (points.fixed[k] != platelets::absorbed)
-        {
-            own.include(points.position[k]);
-        }
-    }
+    const bounds own(boundsOf(points.position, points.fixed, 0, points.owned));
 
     std::vector<double> numbers(own.lower.data(), own.lower.data() + 3);
     numbers.insert(numbers.end(), own.upper.data(), own.upper.data() + 3);
@@ -54,13 +47,17 @@ constexpr std::size_t block = 16;
 //- The bounds of every so many own points
 std::vector<bounds> boundsOfBlocks(const kernelPoints& points)
 {
-    std::vector<bounds> blocks((points.owned + block - 1)/block);
-    for (std::size_t k = 0; k < points.owned; ++k)
+    std::vector<bounds> blocks;
+    for (std::size_t begin = 0; begin < points.owned; begin += block)
     {
-        if (points.fixed[k] != platelets::absorbed)
-        {
-            blocks[k/block].include(points.position[k]);
-        }
+        blocks.push_back
+        (
+            boundsOf
+            (
+                points.position, points.fixed, begin,
+                std::min(begin + block, points.owned)
+            )
+        );
     }
     return blocks;
 }

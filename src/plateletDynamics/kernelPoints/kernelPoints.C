@@ -53,24 +53,19 @@ void kernelPoints::formClusters(double longestEdge)
     ownedClusters = clusters();
     form(owned, size());
 
-    // Lanes without a point are as far from the others as an absorbed one
-    place.resize(cluster.size());
+    // Lanes without a point are put away from where the last point is
+    place.assign(cluster.size(), {});
     for (int c = 0; c < clusters(); ++c)
     {
-        place[c] = {};
         for (int lane = 0; lane < clusterSize; ++lane)
         {
-            const int point =
-                cluster[c].first + std::min(lane, cluster[c].count - 1);
+            const int last = cluster[c].count - 1;
+            const int k = cluster[c].first + std::min(lane, last);
 
-            const auto x = wholeUnits(position[point]);
-            place[c].x[lane] = x[0];
-            place[c].y[lane] = x[1];
-            place[c].z[lane] = x[2];
-            if (lane >= cluster[c].count)
+            setPlace(clusterSize*c + lane, wholeUnits(position[k]));
+            if (lane > last)
             {
-                place[c].x[lane] ^= std::numeric_limits<std::int32_t>::min();
-                place[c].absorbed[lane] = 1;
+                moveAway(clusterSize*c + lane);
             }
         }
     }

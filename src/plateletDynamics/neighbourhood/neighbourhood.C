@@ -11,6 +11,8 @@
 #include "stopwatch.H"
 #include "userError.H"
 
+#include <algorithm>
+#include <cmath>
 
 namespace plateletDynamics
 {
@@ -25,13 +27,20 @@ constexpr double leastSkin = 0.02;
 constexpr double largestSkin = 0.5;
 
 //- What making the lists costs, in evaluations of the forces of as many listed
-//  pairs. Measured with AVX-512 and AVX2 (tests/benchmarks); a constant, so
-//  that the choice does not depend on clocks
+//  pairs: 4.8 with AVX-512, 6.2 with AVX2, 2.2 with SSE4 (engineBenchmark
+//  -skin 0.15 -rebuildEvery 5). A constant, so that the choice does not depend
+//  on clocks
 constexpr double costOfLists = 5;
 
 //- How much a cluster's pairs reach beyond those of a point, in edges of the
-//  cube that holds as many platelets. Measured (tests/benchmarks)
+//  cube that holds as many platelets: from the pairs of clusters at skins of
+//  0.1, 0.2 and 0.3 spacings, cut-off 2.5
 constexpr double reachOfClusters = 1.1;
+
+//- The longest cluster, in such edges; but clusters of platelets that are far
+//  from each other may be so long in cut-offs
+constexpr double longestInEdges = 1.5;
+constexpr double longestInCutOffs = 0.5;
 
 //- Weight of the newest figure in the mean use of the skin
 constexpr double newest = 0.3;
@@ -102,41 +111,13 @@ void neighbourhood::setRange(double cutOff, double wallCutOff, double skin)
 }
 
 
-double neighbourhood::clusterEdge(const platelets& local) const
+double neighbourhood::clusterEdge(double neighbours, double number) const
 {
-    bounds around;
-    for (std::size_t k = 0; k < local.size(); ++k)
-    {
-        if (local.fixed[k] != platelets::absorbed)
-        {
-            around.include(local.position[k]);
-        }
-    }
-
-    // From the mean number in the cell of a platelet, beside itself
-    const cellKeys grid(around, vector::Constant(cutOff_));
-    std::vector<std::int64_t> keys;
-    keys.reserve(local.size());
-    for (std::size_t k = 0; k < local.size(); ++k)
-    {
-        if (local.fixed[k] != platelets::absorbed)
-        {
-            keys.push_back(grid.key(local.position[k]));
-        }
-    }
-    const cellOrder order(keys);
-    double others = 0;
-    for (std::size_t c = 0; c + 1 < order.cells.size(); ++c)
-    {
-        const double number = order.cells[c + 1].begin - order.cells[c].begin;
-        others += number*(number - 1);
-    }
-
+    // Of cells as wide as the cut-off, those around a platelet hold so many
     const double most = clusterSize;
-    const double edge =
-        cutOff_*std::cbrt(most/std::max(others/std::max(keys.size(), std::size_t(1)), most));
+    const double inCell = number > 0 ? neighbours/number : 0;
 
-    return ranks_.max(edge);
+    return cutOff_*std::cbrt(most/std::max(inCell, most));
 }
 
 
@@ -175,24 +156,16 @@ void neighbourhood::noteSkinUse()
 }
 
 
-void neighbourhood::sort(platelets& local, double clusterEdge) const
+void neighbourhood::sort
+(
+    platelets& local,
+    const bounds& around,
+    std::vector<int>& present,
+    double edge
+) const
 {
-    bounds around;
-    std::vector<int> present;
-    for (std::size_t k = 0; k < local.size(); ++k)
-    {
-        if (local.fixed[k] != platelets::absorbed)
-        {
-            around.include(local.position[k]);
-            present.push_back(int(k));
-        }
-    }
-
     // Columns, cut short for the search by counting
-    const cellKeys grid
-    (
-        around, vector(0.5*clusterEdge, clusterEdge, clusterEdge)
-    );
+    const cellKeys grid(around, vector(0.5*edge, edge, edge));
     std::vector<std::int64_t> keys;
     keys.reserve(present.size());
     for (const int k : present)
@@ -203,7 +176,7 @@ void neighbourhood::sort(platelets& local, double clusterEdge) const
     cellOrder order(keys);
     for (std::size_t c = 0; c + 1 < order.cells.size(); ++c)
     {
-        const double sign = cellKeys::isBackward(order.cells[c].key) ? -1 : 1;
+        const double sign = grid.isBackward(order.cells[c].key) ? -1 : 1;
 
         std::sort
         (
@@ -294,15 +267,45 @@ void neighbourhood::listWalls()
 void neighbourhood::rebuild(platelets& local, bool maySort)
 {
     const stopwatch watch(listSeconds_);
-    const double waitedBefore = halo_.seconds();
+    const double waitedBefore = haloSeconds();
 
     takeBack(local);
-    const double edge = clusterEdge(local);
-    chooseSkin(edge);
+
+    const bounds around
+    (
+        boundsOf(local.position, local.fixed, 0, local.size())
+    );
+    const cellKeys grid(around, vector::Constant(cutOff_));
+    std::vector<int> present;
+    std::vector<std::int64_t> keys;
+    for (std::size_t k = 0; k < local.size(); ++k)
+    {
+        if (local.fixed[k] != platelets::absorbed)
+        {
+            present.push_back(int(k));
+            keys.push_back(grid.key(local.position[k]));
+        }
+    }
+    double neighbours = 0;
+    const cellOrder order(keys);
+    for (std::size_t c = 0; c + 1 < order.cells.size(); ++c)
+    {
+        const double number = order.cells[c + 1].begin - order.cells[c].begin;
+        neighbours += number*(number - 1);
+    }
+    const double edge = clusterEdge(neighbours, double(present.size()));
     if (maySort)
     {
-        sort(local, edge);
+        sort(local, around, present, edge);
     }
+
+    // The same on all ranks
+    {
+        const stopwatch waiting(waitSeconds_);
+        const double sum = ranks_.sum(neighbours);
+        chooseSkin(clusterEdge(sum, ranks_.sum(double(present.size()))));
+    }
+
     wraps_.assign(local.size(), {0, 0, 0});
 
     points_.owned = local.size();
@@ -315,7 +318,10 @@ void neighbourhood::rebuild(platelets& local, bool maySort)
     );
     halo_.rebuild(points_, cutOff_ + skin_);
 
-    points_.formClusters(1.5*edge);
+    points_.formClusters
+    (
+        std::max(longestInEdges*edge, longestInCutOffs*cutOff_)
+    );
     listed_.assign
     (
         points_.place.begin(), points_.place.begin() + points_.ownedClusters
@@ -325,7 +331,7 @@ void neighbourhood::rebuild(platelets& local, bool maySort)
     listWalls();
 
     // Waiting is counted apart
-    listSeconds_ -= halo_.seconds() - waitedBefore;
+    listSeconds_ -= haloSeconds() - waitedBefore;
     expired_ = false;
 }
 

@@ -8,6 +8,7 @@
 
 #include "userError.H"
 
+#include <algorithm>
 #include <utility>
 
 namespace plateletDynamics
@@ -73,13 +74,7 @@ void vectorKernel::addForces
           < cutOffSquared_
         )
         {
-            const vector onK(plain_.force(points, k, l, met));
-
-            force[k] += onK;
-            if (l < int(points.owned))
-            {
-                force[l] -= onK;
-            }
+            plain_.addPair(points, k, l, force, met);
         }
     };
     using caller = decltype(addNear);
@@ -117,10 +112,16 @@ void vectorKernel::finishForces
     for (int c = 0; c < points.ownedClusters; ++c)
     {
         const auto own = points.cluster[c];
+        const float* const sum = sum_[c].value;
+
         for (int i = 0; i < own.count; ++i)
         {
-            force[own.first + i] +=
-                points.unit*vector(sum_[c].x[i], sum_[c].y[i], sum_[c].z[i]);
+            force[own.first + i] += points.unit*vector
+            (
+                sum[clusterForces::x + i],
+                sum[clusterForces::y + i],
+                sum[clusterForces::z + i]
+            );
         }
         sum_[c] = {};
     }

@@ -460,6 +460,13 @@ HWY_INLINE void calculateForces
 }
 
 
+template<class Tag>
+HWY_INLINE void subtract(Tag d, float* from, hn::Vec<Tag> value)
+{
+    hn::Store(hn::Sub(hn::Load(d, from), value), d, from);
+}
+
+
 //- Take what all points of the own cluster do to a partner from its force
 HWY_INLINE void react
 (
@@ -470,6 +477,7 @@ HWY_INLINE void react
 )
 {
     const floats d;
+    float* const value = force.value;
 
     // Blocks of four lanes: one for each own point, the lanes for the partner's
 #if HWY_CAP_GE512
@@ -485,7 +493,7 @@ HWY_INLINE void react
         hn::OddEvenBlocks(yy, xz),
         hn::SwapAdjacentBlocks(hn::OddEvenBlocks(xz, yy))
     );
-    hn::Store(hn::Sub(hn::Load(d, force.x), xyz), d, force.x);
+    subtract(d, value, xyz);
 #elif HWY_CAP_GE256
     const hn::Half<floats> half;
     const auto xy = hn::Add
@@ -493,12 +501,12 @@ HWY_INLINE void react
         hn::ConcatLowerLower(d, y, x), hn::ConcatUpperUpper(d, y, x)
     );
     const auto zz = hn::Add(hn::LowerHalf(half, z), hn::UpperHalf(half, z));
-    hn::Store(hn::Sub(hn::Load(d, force.x), xy), d, force.x);
-    hn::Store(hn::Sub(hn::Load(half, force.z), zz), half, force.z);
+    subtract(d, value, xy);
+    subtract(half, value + clusterForces::z, zz);
 #else
-    hn::Store(hn::Sub(hn::Load(d, force.x), x), d, force.x);
-    hn::Store(hn::Sub(hn::Load(d, force.y), y), d, force.y);
-    hn::Store(hn::Sub(hn::Load(d, force.z), z), d, force.z);
+    subtract(d, value + clusterForces::x, x);
+    subtract(d, value + clusterForces::y, y);
+    subtract(d, value + clusterForces::z, z);
 #endif
 }
 
@@ -522,9 +530,9 @@ struct ownForces
 
     HWY_INLINE void addTo(clusterForces& force) const
     {
-        addSums(x, force.x);
-        addSums(y, force.y);
-        addSums(z, force.z);
+        addSums(x, force.value + clusterForces::x);
+        addSums(y, force.value + clusterForces::y);
+        addSums(z, force.value + clusterForces::z);
     }
 
 private:

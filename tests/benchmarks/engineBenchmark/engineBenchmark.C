@@ -245,7 +245,7 @@ int main(int argc, char *argv[])
             const double perRank = 1/seconds/Pstream::nProcs();
             const double lists = sum(after.listSeconds - before.listSeconds);
             const double forces = sum(after.forceSeconds - before.forceSeconds);
-            const double listed = 2*sum(after.listedPairs)/number;
+            const double lanes = 2*sum(after.listedPairs)/number;
             const double bytes = sum(peakMemory() - memory)/number;
 
             if (Pstream::master())
@@ -253,14 +253,14 @@ int main(int argc, char *argv[])
                 std::printf
                 (
                     "number %d ranks %d instructions %s kernel %s repeat %d"
-                    " nsPerParticleStep %.4g rebuilds %d listed %.1f"
+                    " nsPerParticleStep %.4g rebuilds %d lanes %.1f"
                     " inRange %.1f skin %.3g listShare %.3f forceShare %.3f"
                     " bytesPerPlatelet %.0f\n",
                     int(number), Pstream::nProcs(),
                     settings.instructions.c_str(),
                     args.getOrDefault<word>("kernel", "fast").c_str(),
                     int(repeat), seconds*1e9/number/steps,
-                    int(after.rebuilds - before.rebuilds), listed, inRange,
+                    int(after.rebuilds - before.rebuilds), lanes, inRange,
                     clay.skin(), lists*perRank, forces*perRank, bytes
                 );
             }

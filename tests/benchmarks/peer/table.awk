@@ -13,7 +13,7 @@ END {
 
     print "\nns per platelet and step, median and best; lists `moved`: made anew when platelets"
     print "have moved far enough; `every20`: every 20 steps, skin 0.3 d, in both. listed:"
-    print "neighbours of a platelet in the lists\n"
+    print "neighbours that are looked at for a platelet (ours: lanes of vectors)\n"
     printf "%8s %-8s %5s  %-10s %-8s %8s %8s %8s %7s %9s %s\n", "N", "lists", "ranks",
         "program", "instr.", "median", "best", "rebuilds", "listed", "B/plate", "LAMMPS/it"
     for (r = 1; r <= rows; ++r) {
