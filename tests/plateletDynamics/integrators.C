@@ -6,7 +6,7 @@ Description
     Integrators and steps against solutions in closed form.
 \*---------------------------------------------------------------------------*/
 
-#include "testSystems.H"
+#include "testSurfaces.H"
 
 #include <gtest/gtest.h>
 
@@ -324,4 +324,195 @@ TEST(fixedPlatelets, actButDoNotMove)
     system.evaluate();
     const auto force = gather(system.local(), system.local().force, 2);
     EXPECT_NEAR(force[0][0], -std::exp(-3*place(system, 1)), 1e-14);
+}
+
+
+namespace
+{
+
+//- The distance of two platelets that repel one another after unit time, and
+//  what it cost
+struct adaptiveRun
+{
+    double error;
+    std::int64_t evaluations;
+    std::int64_t steps;
+};
+
+adaptiveRun repelled(const std::string& integrator, double tolerance)
+{
+    auto chosen = settings(integrator, 0);
+    chosen.spacing = 1;
+    chosen.stepTolerance = tolerance;
+    engine system
+    (
+        openSpace, {}, std::make_shared<repulsion>(), chosen, MPI_COMM_WORLD
+    );
+    system.load(row({0, 0.5}));
+    system.advance(1);
+
+    return
+    {
+        std::abs
+        (
+            place(system, 1) - place(system, 0) - exactDistance(0.5, 1)
+        ),
+        system.counters().evaluations,
+        system.counters().steps
+    };
+}
+
+} // End namespace
+
+
+TEST(adaptiveIntegrators, keepTheirTolerance)
+{
+    for (const std::string integrator : {"RKC2", "BogackiShampine"})
+    {
+        std::int64_t before = 0;
+        for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6})
+        {
+            const auto run = repelled(integrator, tolerance);
+
+            // Errors of steps add up
+            EXPECT_LT(run.error, tolerance*run.steps) << integrator;
+            EXPECT_GT(run.evaluations, before) << integrator;
+            before = run.evaluations;
+        }
+    }
+}
+
+
+TEST(adaptiveIntegrators, areOfTheirOrder)
+{
+    // Equal steps: the tolerance holds for any
+    const auto error = [](const std::string& integrator, int steps)
+    {
+        auto chosen = settings(integrator, 1.0/steps);
+        chosen.spacing = 1;
+        chosen.stepTolerance = 10;
+        engine system
+        (
+            openSpace, {}, std::make_shared<repulsion>(), chosen,
+            MPI_COMM_WORLD
+        );
+        system.load(row({0, 0.5}));
+
+        // One call for each step
+        for (int step = 0; step < steps; ++step)
+        {
+            system.advance(1.0/steps);
+        }
+        EXPECT_EQ(system.counters().steps, steps);
+        return std::abs
+        (
+            place(system, 1) - place(system, 0) - exactDistance(0.5, 1)
+        );
+    };
+
+    EXPECT_NEAR(error("RKC2", 16)/error("RKC2", 32), 4, 0.5);
+    EXPECT_NEAR
+    (
+        error("BogackiShampine", 16)/error("BogackiShampine", 32), 8, 1.2
+    );
+}
+
+
+TEST(adaptiveIntegrators, RKC2IsStableFarBeyondEuler)
+{
+    // A displaced platelet between springs: all steps 400 times Euler's limit,
+    // 1 over the rate 2 of decay
+    auto chosen = settings("RKC2", 400);
+    chosen.spacing = 1;
+    chosen.stepTolerance = 1;
+    engine system
+    (
+        openSpace, {}, std::make_shared<spring>(), chosen, MPI_COMM_WORLD
+    );
+    system.load(row({-1, 1e-3, 1}, true));
+    system.advance(8000);
+
+    EXPECT_LE(system.counters().steps, 40);
+    EXPECT_LT(std::abs(place(system, 1)), 1e-5);
+}
+
+
+TEST(adaptiveIntegrators, meetWallsAsStepsDo)
+{
+    // Carried against a wall that reflects: back by as much as it went through
+    boundarySurface floor;
+    const vector x(10, 0, 0);
+    const vector y(0, 10, 0);
+    addSheet(floor, vector(-5, -5, 0), x, y, action::reflect);
+
+    for (const std::string integrator : {"RKC2", "BogackiShampine"})
+    {
+        auto chosen = settings(integrator, 0.25);
+        chosen.cutOff = 1;
+        engine system
+        (
+            openSpace, floor, std::make_shared<noForce>(), chosen,
+            MPI_COMM_WORLD
+        );
+        platelets one;
+        if (myRank() == 0)
+        {
+            one.append(0, vector(0, 0, 0.6));
+            one.tag[0] = 0;
+            one.waterVelocity[0] = vector(0, 0, -1);
+        }
+        system.load(one);
+        system.advance(0.75);
+
+        EXPECT_NEAR
+        (
+            gather(system.local(), system.local().position, 1)[0][2], 0.1, 0.5
+        );
+        EXPECT_GE
+        (
+            gather(system.local(), system.local().position, 1)[0][2], 0
+        );
+    }
+}
+
+
+TEST(adaptiveIntegrators, areTheSameOnAllRanksAndKernels)
+{
+    const platelets all(scatter(300, vector::Constant(4)));
+    const periodicBox space(cube(4));
+    std::vector<std::vector<vector>> ends;
+
+    for (const bool alone : {true, false})
+    {
+        engineSettings chosen;
+        chosen.cutOff = 1.5;
+        chosen.spacing = 0.6;
+        chosen.pairKernel = engineSettings::kernel::exact;
+        chosen.integrator = "RKC2";
+        chosen.stepTolerance = 1e-3;
+        engine system
+        (
+            space, {}, std::make_shared<repulsion>(), chosen,
+            alone ? MPI_COMM_SELF : MPI_COMM_WORLD
+        );
+        system.load(alone ? all : share(all));
+        system.advance(0.2);
+        if (alone)
+        {
+            std::vector<vector> position(all.size());
+            for (std::size_t k = 0; k < all.size(); ++k)
+            {
+                position[system.local().tag[k]] = system.local().position[k];
+            }
+            ends.push_back(position);
+        }
+        else
+        {
+            ends.push_back
+            (
+                gather(system.local(), system.local().position, all.size())
+            );
+        }
+    }
+    EXPECT_LT(largestDifference(ends[0], ends[1]), 1e-10);
 }

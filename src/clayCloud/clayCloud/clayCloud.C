@@ -145,6 +145,13 @@ Foam::clayCloud::clayCloud
         }
     );
     engine_->setSkinUse(state_.skinUse);
+    engine_->setIntegratorMemory
+    (
+        std::vector<double>
+        (
+            state_.integratorMemory.begin(), state_.integratorMemory.end()
+        )
+    );
     load();
 
     if (state_.entered == 0)

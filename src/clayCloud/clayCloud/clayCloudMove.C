@@ -203,5 +203,12 @@ void Foam::clayCloud::move(const volVectorField& Uwater, const scalar deltaT)
     {
         engine_->listsExpire();
         state_.skinUse = engine_->skinUse();
+
+        const std::vector<double> memory(engine_->integratorMemory());
+        state_.integratorMemory.setSize(label(memory.size()));
+        std::copy
+        (
+            memory.begin(), memory.end(), state_.integratorMemory.begin()
+        );
     }
 }

@@ -362,6 +362,7 @@ void Foam::clayInteractions::chooseEngine()
     settings_.tableTolerance = 1e-3*properties_.tolerance();
     settings_.integrator =
         integrator == "auto" ? word("AdamsBashforth2") : integrator;
+    settings_.stepTolerance = 1e-2*properties_.tolerance();
     settings_.deltaT =
         max(properties_.engineDeltaT(), scalar(0))/units_->time();
     settings_.bodyForce = reduced(weight_, units_->force());

@@ -73,6 +73,7 @@ Foam::clayState::clayState(const polyMesh& mesh)
     readEntry("entered", entered);
     readEntry("left", left);
     readIfPresent("skinUse", skinUse);
+    readIfPresent("integratorMemory", integratorMemory);
 }
 
 
@@ -114,6 +115,10 @@ bool Foam::clayState::writeData(Ostream& os) const
     os.writeEntry("entered", entered);
     os.writeEntry("left", left);
     os.writeEntry("skinUse", skinUse);
+    if (integratorMemory.size())
+    {
+        os.writeEntry("integratorMemory", integratorMemory);
+    }
 
     os.precision(precision);
     return os.good();

@@ -9,7 +9,7 @@
 namespace plateletDynamics
 {
 
-void adamsBashforth2::step(motion& system, double deltaT)
+double adamsBashforth2::step(motion& system, double deltaT)
 {
     platelets& local = system.local();
 
@@ -34,6 +34,8 @@ void adamsBashforth2::step(motion& system, double deltaT)
     };
 
     system.displaceAll(displacementOf);
+
+    return deltaT;
 }
 
 } // End namespace plateletDynamics

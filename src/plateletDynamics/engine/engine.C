@@ -141,4 +141,16 @@ double engine::skin() const
     return implementation_->skin();
 }
 
+
+std::vector<double> engine::integratorMemory() const
+{
+    return implementation_->steps().memory();
+}
+
+
+void engine::setIntegratorMemory(const std::vector<double>& memory)
+{
+    implementation_->steps().remember(memory);
+}
+
 } // End namespace plateletDynamics

@@ -299,13 +299,6 @@ void engine::implementation::calculateVelocities()
 }
 
 
-void engine::implementation::evaluate()
-{
-    evaluateForces(false);
-    calculateVelocities();
-}
-
-
 void engine::implementation::evaluateAll()
 {
     evaluateForces(true);
@@ -329,6 +322,7 @@ double engine::implementation::stiffness()
         );
         stiffness_ = ranks_.max(decayRateBound(local_, all));
         stiffnessHolds_ = true;
+        ++counters_.stiffnessEvaluations;
     }
     return stiffness_;
 }

@@ -7,6 +7,7 @@
 #include "engineImplementation.H"
 
 #include <cmath>
+#include <limits>
 
 namespace plateletDynamics
 {
@@ -21,6 +22,10 @@ constexpr double largestMove = 0.25;
 //- The step is chosen anew when a platelet may have come this far, in spacings.
 //  Not when lists are made: that depends on the number of ranks
 constexpr double holdsFor = 0.05;
+
+//- The same of the rate that adaptive integrators use, whose estimate of the
+//  error would notice if it has grown
+constexpr double rateHoldsFor = 0.2;
 
 //- Steps of one call beyond which it would never end
 constexpr double tooManySteps = 1e12;
@@ -149,6 +154,123 @@ void engine::implementation::displace
 }
 
 
+void engine::implementation::evaluateAt(const std::vector<vector>& offset)
+{
+    offset_.resize(local_.size(), vector::Zero());
+
+    for (std::size_t k = 0; k < offset.size(); ++k)
+    {
+        if (local_.fixed[k])
+        {
+            continue;
+        }
+
+        const vector d(offset[k] - offset_[k]);
+        if (!isFinite(d) || d.cwiseAbs().maxCoeff() > settings_.cutOff)
+        {
+            wentTooFar_ = true;
+            continue;
+        }
+        near_.displace(k, d);
+        offset_[k] = offset[k];
+    }
+
+    forcesHold_ = false;
+    stiffnessHolds_ = false;
+    evaluateForces(false);
+    calculateVelocities();
+}
+
+
+double engine::implementation::errorOverTolerance
+(
+    const std::vector<vector>& error
+)
+{
+    double largest = 0;
+    for (std::size_t k = 0; k < error.size(); ++k)
+    {
+        if (!local_.fixed[k])
+        {
+            largest = std::max(largest, error[k].norm());
+        }
+    }
+    if (wentTooFar_)
+    {
+        largest = std::numeric_limits<double>::infinity();
+    }
+    return ranks_.max(largest)/(settings_.stepTolerance*moveScale());
+}
+
+
+void engine::implementation::accept()
+{
+    bool turned = false;
+
+    for (std::size_t k = 0; k < offset_.size(); ++k)
+    {
+        if (local_.fixed[k])
+        {
+            continue;
+        }
+        const vector& d = offset_[k];
+        movedSquared_ = std::max(movedSquared_, d.squaredNorm());
+
+        const vector from(near_.points().position[k] - d);
+        if (near_.crossings().empty() || !near_.crossings().near(k, from, d))
+        {
+            continue;
+        }
+
+        const auto met = near_.crossings().follow(near_.walls(), from, d);
+        if (met.absorbedBy >= 0 || met.displacement != d)
+        {
+            near_.displace(k, met.displacement - d);
+            turned = true;
+        }
+        if (met.absorbedBy >= 0)
+        {
+            absorb(k, met.absorbedBy);
+        }
+    }
+    offset_.clear();
+
+    // Forces were calculated where all are but those that turned
+    if (ranks_.max(turned))
+    {
+        forcesHold_ = false;
+        stiffnessHolds_ = false;
+    }
+}
+
+
+void engine::implementation::back()
+{
+    for (std::size_t k = 0; k < offset_.size(); ++k)
+    {
+        if (!local_.fixed[k])
+        {
+            near_.displace(k, -offset_[k]);
+        }
+    }
+    offset_.clear();
+    wentTooFar_ = false;
+    forcesHold_ = false;
+    stiffnessHolds_ = false;
+}
+
+
+double engine::implementation::decayRate()
+{
+    if (decayRate_ < 0 || travelled_ > rateHoldsFor*moveScale())
+    {
+        decayRate_ = stiffness();
+        travelled_ = 0;
+    }
+    return decayRate_;
+}
+
+
 void engine::implementation::absorb(std::size_t k, int patch)
 {
     vector place(near_.points().position[k]);
@@ -194,26 +316,42 @@ void engine::implementation::advance(double duration)
     double remaining = duration;
     std::int64_t steps = 0;
     double deltaT = 0;
+    decayRate_ = -1;
 
     while (remaining > 0)
     {
+        if (integrator_->isAdaptive() && near_.isUntidy())
+        {
+            listsExpire();
+        }
         evaluateForces(true);
         calculateVelocities();
 
-        if (steps == 0 || travelled_ > holdsFor*moveScale())
+        if (integrator_->isAdaptive())
         {
-            steps = stepsFor(remaining);
-            deltaT = remaining/steps;
-            travelled_ = 0;
+            deltaT =
+                settings_.deltaT > 0
+              ? std::min(settings_.deltaT, remaining) : remaining;
+        }
+        else
+        {
+            if (steps == 0 || travelled_ > holdsFor*moveScale())
+            {
+                steps = stepsFor(remaining);
+                deltaT = remaining/steps;
+                travelled_ = 0;
+            }
+
+            // The last step ends on the duration, free of accumulated rounding
+            deltaT = steps > 1 ? deltaT : remaining;
+            --steps;
         }
 
         counters_.particleSteps += local_.size();
         ++counters_.steps;
 
-        // The last step ends on the duration, free of accumulated rounding
-        integrator_->step(*this, steps > 1 ? deltaT : remaining);
-        remaining = steps > 1 ? remaining - deltaT : 0;
-        --steps;
+        const double taken = integrator_->step(*this, deltaT);
+        remaining = taken < remaining ? remaining - taken : 0;
     }
 
     ranks_.agree(problem_);

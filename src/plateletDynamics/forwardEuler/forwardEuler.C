@@ -9,7 +9,7 @@
 namespace plateletDynamics
 {
 
-void forwardEuler::step(motion& system, double deltaT)
+double forwardEuler::step(motion& system, double deltaT)
 {
     const std::vector<vector>& velocity = system.local().velocity;
 
@@ -17,6 +17,8 @@ void forwardEuler::step(motion& system, double deltaT)
     (
         [&](std::size_t k) -> vector { return deltaT*velocity[k]; }
     );
+
+    return deltaT;
 }
 
 } // End namespace plateletDynamics

@@ -7,6 +7,8 @@
 #include "integrator.H"
 
 #include "adamsBashforth2.H"
+#include "bogackiShampine.H"
+#include "chebyshev2.H"
 #include "forwardEuler.H"
 #include "userError.H"
 
@@ -28,7 +30,9 @@ std::unique_ptr<integrator> make()
 const std::map<std::string, std::unique_ptr<integrator> (*)()> integrators
 {
     {"Euler", make<forwardEuler>},
-    {"AdamsBashforth2", make<adamsBashforth2>}
+    {"AdamsBashforth2", make<adamsBashforth2>},
+    {"RKC2", make<chebyshev2>},
+    {"BogackiShampine", make<bogackiShampine>}
 };
 
 } // End namespace

@@ -294,6 +294,7 @@ void neighbourhood::rebuild(platelets& local, bool maySort)
         neighbours += number*(number - 1);
     }
     const double edge = clusterEdge(neighbours, double(present.size()));
+    unsorted_ = maySort ? 0 : unsorted_ + 1;
     if (maySort)
     {
         sort(local, around, present, edge);

@@ -1,0 +1,60 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+\*---------------------------------------------------------------------------*/
+
+#include "adaptiveIntegrator.H"
+
+#include "userError.H"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plateletDynamics
+{
+
+namespace
+{
+
+//- Steps tried in vain beyond which something else is wrong: each is at most
+//  0.8 of the one before
+constexpr int mostTries = 200;
+
+} // End namespace
+
+
+double adaptiveIntegrator::step(motion& system, double deltaT)
+{
+    start_ = system.local().velocity;
+
+    if (control_.next() <= 0)
+    {
+        const double rate = system.decayRate();
+        control_.start(rate > 0 ? 1/rate : deltaT);
+    }
+
+    for (int tries = 0; tries < mostTries; ++tries)
+    {
+        // In equal steps to the end
+        const double most = std::min(control_.next(), longestStep(system));
+        const double h = deltaT/std::ceil(deltaT/most*(1 - 1e-10));
+
+        if (control_.accept(h, attempt(system, h)))
+        {
+            system.accept();
+            return h;
+        }
+        system.back();
+    }
+    throw userError
+    (
+        text
+        (
+            "No step from ", deltaT, " down to ", control_.next(),
+            " keeps the tolerance"
+        )
+    );
+}
+
+} // End namespace plateletDynamics

@@ -1,0 +1,60 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+\*---------------------------------------------------------------------------*/
+
+#include "bogackiShampine.H"
+
+#include <limits>
+
+namespace plateletDynamics
+{
+
+double bogackiShampine::longestStep(motion& system)
+{
+    const double rate = system.decayRate();
+
+    return rate > 0 ? 2.5/rate : std::numeric_limits<double>::max();
+}
+
+
+double bogackiShampine::attempt(motion& system, double deltaT)
+{
+    const std::vector<vector>& velocity = system.local().velocity;
+    offset_.resize(start_.size());
+
+    const auto evaluateAt = [&](const auto& offsetOf)
+    {
+        for (std::size_t k = 0; k < offset_.size(); ++k)
+        {
+            offset_[k] = deltaT*offsetOf(k);
+        }
+        system.evaluateAt(offset_);
+    };
+
+    evaluateAt([&](std::size_t k) -> vector { return 0.5*start_[k]; });
+    k2_ = velocity;
+
+    evaluateAt([&](std::size_t k) -> vector { return 0.75*k2_[k]; });
+    k3_ = velocity;
+
+    evaluateAt
+    (
+        [&](std::size_t k) -> vector
+        {
+            return (2*start_[k] + 3*k2_[k] + 4*k3_[k])/9;
+        }
+    );
+    for (std::size_t k = 0; k < offset_.size(); ++k)
+    {
+        offset_[k] =
+            deltaT
+           *(
+                -5./72*start_[k] + 1./12*k2_[k] + 1./9*k3_[k] - 1./8*velocity[k]
+            );
+    }
+    return system.errorOverTolerance(offset_);
+}
+
+} // End namespace plateletDynamics
