@@ -108,6 +108,10 @@ TEST(errors, nameSettingsThatAreImpossible)
     expectWords(errorOfMaking(chosen), {"skin", "-1"});
 
     chosen = settings();
+    chosen.skin = 1.01*chosen.cutOff;
+    expectWords(errorOfMaking(chosen), {"skin", "wider", "cut-off"});
+
+    chosen = settings();
     chosen.deltaT = std::numeric_limits<double>::quiet_NaN();
     expectWords(errorOfMaking(chosen), {"deltaT"});
 

@@ -31,7 +31,7 @@ std::vector<std::string> allInstructions()
     using plateletDynamics::vectorLoops;
 
     std::vector<std::string> all{"best"};
-    for (const std::string name : {"AVX3", "AVX2", "SSE4", "SSSE3", "plain"})
+    for (const std::string name : {"AVX-512", "AVX2", "SSE4", "SSSE3", "plain"})
     {
         if (vectorLoops::choose(name).name == name)
         {

@@ -435,7 +435,16 @@ void Foam::clayInteractions::print
         << said(properties_.cutOff()) << "), "
         << cutOff_/state_.spacing << " spacings; force left out "
         << forceLeftOut(state_.placedAt) << nl
-        << "    kernel           " << kernelName.c_str() << nl
+        << "    skin             ";
+    if (properties_.skin() > 0)
+    {
+        os  << properties_.skin() << " m (given)" << nl;
+    }
+    else
+    {
+        os  << "auto, by how fast platelets move" << nl;
+    }
+    os  << "    kernel           " << kernelName.c_str() << nl
         << "    integrator       " << settings_.integrator.c_str() << " ("
         << properties_.integrator() << "), engineDeltaT "
         << said(properties_.engineDeltaT()) << nl

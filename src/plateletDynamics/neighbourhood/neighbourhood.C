@@ -72,7 +72,18 @@ void neighbourhood::setRange(double cutOff, double wallCutOff, double skin)
     cutOff_ = cutOff;
     wallCutOff_ = wallCutOff;
     skinIsChosen_ = !(skin > 0);
-    mostSkin_ = std::min(skinIsChosen_ ? largestSkin*cutOff : skin, cutOff);
+    mostSkin_ = skinIsChosen_ ? largestSkin*cutOff : skin;
+    if (mostSkin_ > cutOff)
+    {
+        throw userError
+        (
+            text
+            (
+                "The skin of ", skin, " is wider than the cut-off of ", cutOff,
+                ". Take at most that, or leave it to be chosen"
+            )
+        );
+    }
 
     for (int axis = 0; axis < 3; ++axis)
     {

@@ -795,7 +795,7 @@ vectorLoops loops()
 {
     return
     {
-        hwy::TargetName(HWY_TARGET),
+        HWY_TARGET <= HWY_AVX3 ? "AVX-512" : hwy::TargetName(HWY_TARGET),
         tableIntervals,
         {
             addForces<4>, addForces<5>, addForces<6>, addForces<7>,
@@ -841,7 +841,7 @@ vectorLoops vectorLoops::choose(const std::string& instructions)
         const auto& [name, widest]
       : {
             std::pair<const char*, std::int64_t>("best", 1),
-            {"AVX3", HWY_AVX3}, {"AVX2", HWY_AVX2}, {"SSE4", HWY_SSE4},
+            {"AVX-512", HWY_AVX3}, {"AVX2", HWY_AVX2}, {"SSE4", HWY_SSE4},
             {"SSSE3", HWY_SSSE3}, {"plain", HWY_SCALAR}
         }
     )
@@ -858,8 +858,8 @@ vectorLoops vectorLoops::choose(const std::string& instructions)
             text
             (
                 "Instructions '", instructions, "' are not known, or not those"
-                " of this processor. Valid: best, AVX3, AVX2, SSE4, SSSE3,"
-                " plain"
+                " of this processor. Valid: best, AVX-512, AVX2, SSE4,"
+                " SSSE3, plain"
             )
         );
     }

@@ -173,7 +173,7 @@ int main(int argc, char *argv[])
     argList::addOption("cutOff", "d", "Where the force ends (2.5)");
     argList::addOption("skin", "d", "Of the lists (0: the engine's choice)");
     argList::addOption("kernel", "name", "fast | table | exact (fast)");
-    argList::addOption("instructions", "name", "best | AVX3 | AVX2 | SSE4 | ... (best)");
+    argList::addOption("instructions", "name", "best | AVX-512 | AVX2 | SSE4 | ... (best)");
     argList::addOption("deltaT", "time", "Step of the engine (0.01)");
     argList::addOption("rebuildEvery", "S", "New lists every S steps at least");
     argList::addOption("warmUp", "S", "Steps before the clock runs (200)");
