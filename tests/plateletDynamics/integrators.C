@@ -516,3 +516,51 @@ TEST(adaptiveIntegrators, areTheSameOnAllRanksAndKernels)
     }
     EXPECT_LT(largestDifference(ends[0], ends[1]), 1e-10);
 }
+
+
+TEST(adaptiveIntegrators, autoTakesTheBetterOne)
+{
+    // Where accuracy decides, Bogacki and Shampine's: 3 evaluations a step
+    const auto smooth = repelled("BogackiShampine", 1e-6);
+    const auto stiff = repelled("RKC2", 1e-6);
+    const auto chosen = repelled("auto", 1e-6);
+
+    EXPECT_LT(1.2*smooth.evaluations, stiff.evaluations);
+    EXPECT_LT(chosen.evaluations, 1.2*smooth.evaluations);
+}
+
+
+TEST(adaptiveIntegrators, autoGoesBackWhereStabilityDecides)
+{
+    // A platelet between springs comes to rest, at a rate of 2, for a long time:
+    // at first accuracy asks for small steps, then nothing does
+    const auto evaluations = [](const std::string& integrator)
+    {
+        auto chosen = settings(integrator, 0);
+        chosen.spacing = 1;
+        chosen.stepTolerance = 1e-8;
+        engine system
+        (
+            openSpace, {}, std::make_shared<spring>(), chosen, MPI_COMM_WORLD
+        );
+        system.load(row({-1, 0.5, 1}, true));
+        system.advance(5);
+        const auto early = system.counters().evaluations;
+        system.advance(2000);
+        EXPECT_LT(std::abs(place(system, 1)), 1e-5) << integrator;
+        return std::array<std::int64_t, 2>
+        {
+            early, system.counters().evaluations - early
+        };
+    };
+    const auto smooth = evaluations("BogackiShampine");
+    const auto stiff = evaluations("RKC2");
+    const auto chosen = evaluations("auto");
+
+    EXPECT_LT(chosen[0], 1.2*smooth[0]);
+    EXPECT_LT(1.2*smooth[0], stiff[0]);
+
+    // No more than a rate of 2 and its limit of 2.5 allow
+    EXPECT_GT(smooth[1], 3*2000*2/2.5);
+    EXPECT_LT(chosen[1], 0.2*smooth[1]);
+}

@@ -205,7 +205,7 @@ TEST(results, areTheSameBitsAfterARestart)
     for
     (
         const char* integrator
-      : {"AdamsBashforth2", "RKC2", "BogackiShampine"}
+      : {"AdamsBashforth2", "RKC2", "BogackiShampine", "auto"}
     )
     {
         auto how = settings(0, chosen);

@@ -349,8 +349,6 @@ void Foam::clayInteractions::chooseEngine()
 {
     using plateletDynamics::engineSettings;
 
-    const word integrator(properties_.integrator());
-
     settings_.thickness = thickness()/units_->length();
     settings_.cutOff = cutOff_/units_->length();
     settings_.spacing = state_.spacing/units_->length();
@@ -360,8 +358,7 @@ void Foam::clayInteractions::chooseEngine()
       ? engineSettings::kernel::exact
       : engineSettings::kernel::fast;
     settings_.tableTolerance = 1e-3*properties_.tolerance();
-    settings_.integrator =
-        integrator == "auto" ? word("AdamsBashforth2") : integrator;
+    settings_.integrator = properties_.integrator();
     settings_.stepTolerance = 1e-2*properties_.tolerance();
     settings_.deltaT =
         max(properties_.engineDeltaT(), scalar(0))/units_->time();
@@ -445,8 +442,12 @@ void Foam::clayInteractions::print
         os  << "auto, by how fast platelets move" << nl;
     }
     os  << "    kernel           " << kernelName.c_str() << nl
-        << "    integrator       " << settings_.integrator.c_str() << " ("
-        << properties_.integrator() << "), engineDeltaT "
+        << "    integrator       " << settings_.integrator.c_str()
+        << (
+               settings_.integrator == "auto"
+             ? " (RKC2 or BogackiShampine)" : ""
+           )
+        << ", engineDeltaT "
         << said(properties_.engineDeltaT()) << nl
         << "    filter length    " << filterLength() << " m ("
         << said(properties_.filterLength()) << "), time scale "

@@ -117,7 +117,14 @@ bool Foam::clayState::writeData(Ostream& os) const
     os.writeEntry("skinUse", skinUse);
     if (integratorMemory.size())
     {
-        os.writeEntry("integratorMemory", integratorMemory);
+        // As text in files of any format, like the other entries
+        os.writeKeyword("integratorMemory") << token::BEGIN_LIST;
+        for (const scalar value : integratorMemory)
+        {
+            os << token::SPACE << value;
+        }
+        os << token::SPACE << token::END_LIST;
+        os.endEntry();
     }
 
     os.precision(precision);

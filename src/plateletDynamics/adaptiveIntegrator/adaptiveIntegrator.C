@@ -31,7 +31,9 @@ double adaptiveIntegrator::step(motion& system, double deltaT)
     if (control_.next() <= 0)
     {
         const double rate = system.decayRate();
-        control_.start(rate > 0 ? 1/rate : deltaT);
+
+        // Not 1/rate, where bogackiShampine's estimate of a decay is 0
+        control_.start(rate > 0 ? 0.5/rate : deltaT);
     }
 
     for (int tries = 0; tries < mostTries; ++tries)
@@ -40,7 +42,7 @@ double adaptiveIntegrator::step(motion& system, double deltaT)
         const double most = std::min(control_.next(), longestStep(system));
         const double h = deltaT/std::ceil(deltaT/most*(1 - 1e-10));
 
-        if (control_.accept(h, attempt(system, h)))
+        if (control_.accept(h, attempt(system, start_, h)))
         {
             system.accept();
             return h;

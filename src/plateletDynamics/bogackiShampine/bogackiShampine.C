@@ -19,10 +19,15 @@ double bogackiShampine::longestStep(motion& system)
 }
 
 
-double bogackiShampine::attempt(motion& system, double deltaT)
+double bogackiShampine::attempt
+(
+    motion& system,
+    const std::vector<vector>& start,
+    double deltaT
+)
 {
     const std::vector<vector>& velocity = system.local().velocity;
-    offset_.resize(start_.size());
+    offset_.resize(start.size());
 
     const auto evaluateAt = [&](const auto& offsetOf)
     {
@@ -33,7 +38,7 @@ double bogackiShampine::attempt(motion& system, double deltaT)
         system.evaluateAt(offset_);
     };
 
-    evaluateAt([&](std::size_t k) -> vector { return 0.5*start_[k]; });
+    evaluateAt([&](std::size_t k) -> vector { return 0.5*start[k]; });
     k2_ = velocity;
 
     evaluateAt([&](std::size_t k) -> vector { return 0.75*k2_[k]; });
@@ -43,7 +48,7 @@ double bogackiShampine::attempt(motion& system, double deltaT)
     (
         [&](std::size_t k) -> vector
         {
-            return (2*start_[k] + 3*k2_[k] + 4*k3_[k])/9;
+            return (2*start[k] + 3*k2_[k] + 4*k3_[k])/9;
         }
     );
     for (std::size_t k = 0; k < offset_.size(); ++k)
@@ -51,7 +56,7 @@ double bogackiShampine::attempt(motion& system, double deltaT)
         offset_[k] =
             deltaT
            *(
-                -5./72*start_[k] + 1./12*k2_[k] + 1./9*k3_[k] - 1./8*velocity[k]
+                -5./72*start[k] + 1./12*k2_[k] + 1./9*k3_[k] - 1./8*velocity[k]
             );
     }
     return system.errorOverTolerance(offset_);

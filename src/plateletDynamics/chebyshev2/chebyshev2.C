@@ -29,10 +29,15 @@ double chebyshev2::longestStep(motion& system)
 }
 
 
-double chebyshev2::attempt(motion& system, double deltaT)
+double chebyshev2::attempt
+(
+    motion& system,
+    const std::vector<vector>& start,
+    double deltaT
+)
 {
     const int stages = stagesFor(deltaT, system.decayRate());
-    const std::size_t n = start_.size();
+    const std::size_t n = start.size();
     offset_.resize(n);
     before_.resize(n);
     beforeThat_.resize(n);
@@ -56,7 +61,7 @@ double chebyshev2::attempt(motion& system, double deltaT)
     for (std::size_t k = 0; k < n; ++k)
     {
         beforeThat_[k].setZero();
-        before_[k] = first*start_[k];
+        before_[k] = first*start[k];
     }
 
     for (int j = 2; j <= stages; ++j)
@@ -75,7 +80,7 @@ double chebyshev2::attempt(motion& system, double deltaT)
         {
             offset_[k] =
                 mu*before_[k] + nu*beforeThat_[k]
-              + gamma*(velocity[k] - a*start_[k]);
+              + gamma*(velocity[k] - a*start[k]);
         }
         std::swap(beforeThat_, before_);
         std::swap(before_, offset_);
@@ -90,7 +95,7 @@ double chebyshev2::attempt(motion& system, double deltaT)
     for (std::size_t k = 0; k < n; ++k)
     {
         offset_[k] =
-            -0.8*before_[k] + 0.4*deltaT*(start_[k] + velocity[k]);
+            -0.8*before_[k] + 0.4*deltaT*(start[k] + velocity[k]);
     }
     return system.errorOverTolerance(offset_);
 }

@@ -7,8 +7,7 @@
 #include "integrator.H"
 
 #include "adamsBashforth2.H"
-#include "bogackiShampine.H"
-#include "chebyshev2.H"
+#include "automatic.H"
 #include "forwardEuler.H"
 #include "userError.H"
 
@@ -29,6 +28,7 @@ std::unique_ptr<integrator> make()
 
 const std::map<std::string, std::unique_ptr<integrator> (*)()> integrators
 {
+    {"auto", make<automatic>},
     {"Euler", make<forwardEuler>},
     {"AdamsBashforth2", make<adamsBashforth2>},
     {"RKC2", make<chebyshev2>},
