@@ -255,7 +255,7 @@ void run(const word& name, const word& integrator, const double asked)
     // The loosest tolerance that is accurate enough, or the one asked for
     for
     (
-        double tolerance = asked > 0 ? asked : 0.3;
+        double tolerance = asked > 0 ? asked : 10;
         tolerance > 1e-6;
         tolerance /= 2
     )
@@ -293,7 +293,7 @@ int main(int argc, char *argv[])
     argList::noParallel();
     argList::noCheckProcessorDirectories();
     argList::addOption("case", "name", "block | ball | slab | chain (all)");
-    argList::addOption("integrator", "name", "RKC2 | BogackiShampine (RKC2)");
+    argList::addOption("integrator", "name", "auto | RKC2 | BogackiShampine (auto)");
     argList::addOption("tolerance", "x", "of a step (the loosest that will do)");
     const argList args(argc, argv);
 
@@ -301,7 +301,7 @@ int main(int argc, char *argv[])
     {
         const word integrator
         (
-            args.getOrDefault<word>("integrator", "RKC2")
+            args.getOrDefault<word>("integrator", "auto")
         );
         const scalar tolerance = args.getOrDefault<scalar>("tolerance", 0);
 
