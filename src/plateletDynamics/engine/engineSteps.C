@@ -216,6 +216,9 @@ void engine::implementation::accept()
         const vector& d = offset_[k];
         movedSquared_ = std::max(movedSquared_, d.squaredNorm());
 
+        // No history for a multistep integrator that goes on from here
+        local_.previousStep[k] = 0;
+
         const vector from(near_.points().position[k] - d);
         if (near_.crossings().empty() || !near_.crossings().near(k, from, d))
         {
