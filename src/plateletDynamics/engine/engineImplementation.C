@@ -258,6 +258,7 @@ void engine::implementation::evaluateForces(bool maySort)
         near_.walls(), near_.points(), *force_, local_.force
     );
     ++counters_.evaluations;
+    counters_.particleSteps += std::int64_t(local_.size());
     forcesHold_ = true;
     stiffnessHolds_ = false;
 }

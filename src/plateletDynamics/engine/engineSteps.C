@@ -350,7 +350,6 @@ void engine::implementation::advance(double duration)
             --steps;
         }
 
-        counters_.particleSteps += local_.size();
         ++counters_.steps;
 
         const double taken = integrator_->step(*this, deltaT);

@@ -143,11 +143,11 @@ void Foam::costReport::report
         os  << line << nl;
     };
 
-    const auto partRow = [&](const std::string& indent, const part& p)
+    const auto partRow = [&](const std::string& name, scalar seconds)
     {
-        const scalar mean = returnReduce(p.seconds, sumOp<scalar>())/ranks;
+        const scalar mean = returnReduce(seconds, sumOp<scalar>())/ranks;
 
-        row(indent + p.name, returnReduce(p.seconds, maxOp<scalar>()), mean);
+        row(name, returnReduce(seconds, maxOp<scalar>()), mean);
         return mean;
     };
 
@@ -156,14 +156,22 @@ void Foam::costReport::report
     {
         if (p.whole.empty())
         {
-            rest -= partRow("", p);
+            rest -= partRow(p.name, p.seconds);
 
+            scalar restWithin = p.seconds;
+            bool hasParts = false;
             for (const part& within : parts_)
             {
                 if (within.whole == p.name)
                 {
-                    partRow("  of it ", within);
+                    partRow("  of it " + within.name, within.seconds);
+                    restWithin -= within.seconds;
+                    hasParts = true;
                 }
+            }
+            if (hasParts)
+            {
+                partRow("  the rest of it", max(restWithin, scalar(0)));
             }
         }
     }
