@@ -357,3 +357,45 @@ TEST(netForce, isTheDoubleSumOnEachSideOfARock)
     }
     expectForces(all, space, rock, expected);
 }
+
+
+// Near equilibrium, where forces nearly cancel: 5e-5 (rms) of what is left, at
+// the tolerance by which the engine is used
+TEST(netForce, ofADisturbedLatticeIsAsExactAsAsked)
+{
+    const int n = 6;
+    platelets all(scatter(n*n*n, vector::Constant(0.2)));
+    for (std::size_t k = 0; k < all.size(); ++k)
+    {
+        all.position[k] += vector(k % n, k/n % n, k/(n*n));
+    }
+    const periodicBox space(cube(n));
+
+    engineSettings settings;
+    settings.cutOff = 2.5;
+    settings.spacing = 1;
+    const repulsion law;
+    const auto expected = doubleSum(all, space, law, settings);
+
+    for (const std::string& instructions : allInstructions())
+    {
+        settings.instructions = instructions;
+        engine system
+        (
+            space, {}, std::make_shared<repulsion>(), settings, MPI_COMM_WORLD
+        );
+        system.load(share(all));
+        system.evaluate();
+        const auto force =
+            gather(system.local(), system.local().force, all.size());
+
+        double error = 0;
+        double whole = 0;
+        for (std::size_t k = 0; k < all.size(); ++k)
+        {
+            error += (force[k] - expected[k]).squaredNorm();
+            whole += expected[k].squaredNorm();
+        }
+        EXPECT_LT(std::sqrt(error/whole), 5e-5) << system.kernelName();
+    }
+}

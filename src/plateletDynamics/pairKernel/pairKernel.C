@@ -16,6 +16,16 @@
 namespace plateletDynamics
 {
 
+namespace
+{
+
+//- Of the tolerance: neighbours at equal distances add up their errors, while
+//  their forces nearly cancel
+constexpr double shareOfOnePair = 0.25;
+
+} // End namespace
+
+
 std::unique_ptr<pairKernel> pairKernel::New
 (
     const taperedForce& force,
@@ -41,7 +51,7 @@ std::unique_ptr<pairKernel> pairKernel::New
             settings.spacing > 0
           ? std::min(settings.spacing, settings.cutOff) : settings.cutOff,
             loops.intervals,
-            settings.tableTolerance
+            shareOfOnePair*settings.tableTolerance
         );
         if (registers.valid())
         {
