@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace plateletDynamics
 {
@@ -22,6 +23,14 @@ namespace
 constexpr int mostTries = 200;
 
 } // End namespace
+
+
+double adaptiveIntegrator::longestStep(motion& system) const
+{
+    const double rate = system.decayRate();
+
+    return rate > 0 ? realAxisLimit()/rate : std::numeric_limits<double>::max();
+}
 
 
 double adaptiveIntegrator::step(motion& system, double deltaT)

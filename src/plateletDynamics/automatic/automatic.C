@@ -34,10 +34,13 @@ double automatic::attempt
     const bool better =
         isStiff_
       ? chebyshev2::stagesFor(deltaT, system.decayRate()) <= fewStages
-      : deltaT > heldUp*smooth_.longestStep(system);
+      : deltaT > heldUp*longestStep(system);
 
     otherIsBetter_ = better ? otherIsBetter_ + 1 : 0;
-    const double error = inUse().attempt(system, start, deltaT);
+    const double error =
+        isStiff_
+      ? stiff_.attempt(system, start, deltaT)
+      : smooth_.attempt(system, start, deltaT);
 
     if (otherIsBetter_ == inARow)
     {

@@ -6,18 +6,8 @@
 
 #include "bogackiShampine.H"
 
-#include <limits>
-
 namespace plateletDynamics
 {
-
-double bogackiShampine::longestStep(motion& system)
-{
-    const double rate = system.decayRate();
-
-    return rate > 0 ? 2.5/rate : std::numeric_limits<double>::max();
-}
-
 
 double bogackiShampine::attempt
 (

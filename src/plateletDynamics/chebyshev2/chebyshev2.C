@@ -6,8 +6,6 @@
 
 #include "chebyshev2.H"
 
-#include <limits>
-
 #include <cmath>
 #include <utility>
 
@@ -17,15 +15,6 @@ namespace plateletDynamics
 int chebyshev2::stagesFor(double deltaT, double decayRate)
 {
     return std::max(2, 1 + int(std::sqrt(1.54*deltaT*decayRate + 1)));
-}
-
-
-double chebyshev2::longestStep(motion& system)
-{
-    const double s = mostStages - 1;
-    const double rate = system.decayRate();
-
-    return rate > 0 ? (s*s - 1)/(1.54*rate) : std::numeric_limits<double>::max();
 }
 
 
