@@ -97,7 +97,7 @@ TEST(errors, nameSettingsThatAreImpossible)
 {
     auto chosen = settings();
     chosen.integrator = "Eulr";
-    expectWords(errorOfMaking(chosen), {"Eulr", "AdamsBashforth2, BogackiShampine, Euler, RKC2, auto"});
+    expectWords(errorOfMaking(chosen), {"Eulr", "AdamsBashforth2, BogackiShampine, Euler, LeimkuhlerMatthews, RKC2, auto"});
 
     chosen = settings();
     chosen.cutOff = 0.05;

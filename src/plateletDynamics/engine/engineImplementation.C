@@ -57,6 +57,16 @@ void check(const engineSettings& settings)
         std::isgreater(settings.tableTolerance, 0),
         "tableTolerance", settings.tableTolerance, "positive"
     );
+    require
+    (
+        std::isgreaterequal(settings.thermalEnergy, 0),
+        "thermalEnergy", settings.thermalEnergy, "0 or more"
+    );
+    require
+    (
+        std::isgreaterequal(settings.thermalStep, 0),
+        "thermalStep", settings.thermalStep, "positive, or 0 for any"
+    );
     if (!isFinite(settings.bodyForce))
     {
         throw userError("bodyForce must be finite");
@@ -79,7 +89,7 @@ engine::implementation::implementation
     limits_(limits),
     settings_(settings),
     ranks_(communicator),
-    integrator_(integrator::New(settings.integrator)),
+    integrator_(integrator::New(settings)),
     loops_(vectorLoops::choose(settings.instructions)),
     near_(ranks_, space_, limits_, loops_)
 {
@@ -125,6 +135,14 @@ void engine::implementation::check(const platelets& loaded) const
         {
             throw userError("The arrays of the platelets differ in length");
         }
+    }
+    if
+    (
+        loaded.mobilitySlope.size() != 0
+     && loaded.mobilitySlope.size() != n
+    )
+    {
+        throw userError("The arrays of the platelets differ in length");
     }
 
     for (std::size_t k = 0; k < n; ++k)
@@ -193,6 +211,10 @@ void engine::implementation::load(platelets&& loaded)
     local_.force.assign(local_.size(), vector::Zero());
     local_.velocity.assign(local_.size(), vector::Zero());
     local_.crossings.assign(local_.size(), {0, 0, 0});
+    local_.sinceChoice.assign
+    (
+        isRandom() ? local_.size() : 0, vector::Zero()
+    );
     problem_.clear();
     departures_.clear();
 

@@ -15,13 +15,15 @@ namespace plateletDynamics
 namespace
 {
 
-//- Share of the integrator's limit, and of the spacing, that a chosen step uses
-constexpr double safety = 0.5;
+//- Share of the spacing that a chosen step uses
 constexpr double largestMove = 0.25;
 
 //- The step is chosen anew when a platelet may have come this far, in spacings.
 //  Not when lists are made: that depends on the number of ranks
 constexpr double holdsFor = 0.05;
+
+//- The same of random motion, of what a platelet has come from where it was
+constexpr double randomHoldsFor = 0.2;
 
 //- The same of the rate that adaptive integrators use, whose estimate of the
 //  error would notice if it has grown
@@ -61,19 +63,71 @@ double engine::implementation::stabilityLimit()
 double engine::implementation::stableDeltaT()
 {
     const double byStiffness =
-        stiffness()/(safety*integrator_->realAxisLimit());
+        stiffness()/(integrator_->shareOfLimit()*integrator_->realAxisLimit());
 
-    double fastest = 0;
-    for (const vector& velocity : local_.velocity)
+    double fastest[2] = {0, 0};
+    for (std::size_t k = 0; k < local_.size(); ++k)
     {
-        fastest = std::max(fastest, velocity.cwiseAbs().maxCoeff());
+        if (!local_.fixed[k])
+        {
+            fastest[0] =
+                std::max(fastest[0], local_.velocity[k].cwiseAbs().maxCoeff());
+            fastest[1] = std::max(fastest[1], 1/local_.friction[k]);
+        }
     }
-    fastest = ranks_.max(fastest);
+    ranks_.max(fastest, 2);
+
+    // Of the diffusivity: (random displacement)^2 = 2 D step
+    const double byNoise =
+        settings_.thermalStep > 0
+      ? 2*settings_.thermalEnergy*fastest[1]
+       /(settings_.thermalStep*settings_.thermalStep)
+      : 0;
 
     return inverse
     (
-        std::max(byStiffness, fastest/(largestMove*moveScale()))
+        std::max
+        ({
+            byStiffness, fastest[0]/(largestMove*moveScale()), byNoise
+        })
     );
+}
+
+
+bool engine::implementation::choiceHolds(double deltaT)
+{
+    if (!isRandom())
+    {
+        return travelled_ <= holdsFor*moveScale();
+    }
+
+    double farthest[2] = {0, 0};
+    for (std::size_t k = 0; k < local_.size(); ++k)
+    {
+        if (!local_.fixed[k])
+        {
+            farthest[0] =
+                std::max(farthest[0], local_.sinceChoice[k].squaredNorm());
+            farthest[1] =
+                std::max(farthest[1], local_.velocity[k].cwiseAbs().maxCoeff());
+        }
+    }
+    ranks_.max(farthest, 2);
+
+    return
+        std::sqrt(farthest[0]) <= randomHoldsFor*moveScale()
+     && deltaT*farthest[1] <= largestMove*moveScale();
+}
+
+
+void engine::implementation::noteMove(std::size_t k, const vector& d)
+{
+    movedSquared_ = std::max(movedSquared_, d.squaredNorm());
+
+    if (isRandom())
+    {
+        local_.sinceChoice[k] += d;
+    }
 }
 
 
@@ -132,20 +186,28 @@ void engine::implementation::displace
             }
             continue;
         }
-        movedSquared_ = std::max(movedSquared_, d.squaredNorm());
 
         const vector& from = near_.points().position[k];
         if (!crossable || !near_.crossings().near(k, from, d))
         {
+            noteMove(k, d);
             near_.displace(k, d);
             continue;
         }
 
         const auto met = near_.crossings().follow(near_.walls(), from, d);
+        noteMove(k, met.displacement);
         near_.displace(k, met.displacement);
         if (met.absorbedBy >= 0)
         {
             absorb(k, met.absorbedBy);
+        }
+        else if (isRandom() && met.displacement != d)
+        {
+            // What is still to be made of a random displacement turns too
+            const vector normal((met.displacement - d).normalized());
+            vector& random = local_.previousVelocity[k];
+            random -= 2*random.dot(normal)*normal;
         }
     }
 
@@ -338,11 +400,15 @@ void engine::implementation::advance(double duration)
         }
         else
         {
-            if (steps == 0 || travelled_ > holdsFor*moveScale())
+            if (steps == 0 || !choiceHolds(deltaT))
             {
                 steps = stepsFor(remaining);
                 deltaT = remaining/steps;
                 travelled_ = 0;
+                local_.sinceChoice.assign
+                (
+                    isRandom() ? local_.size() : 0, vector::Zero()
+                );
             }
 
             // The last step ends on the duration, free of accumulated rounding

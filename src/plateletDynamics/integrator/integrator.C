@@ -9,6 +9,7 @@
 #include "adamsBashforth2.H"
 #include "automatic.H"
 #include "forwardEuler.H"
+#include "leimkuhlerMatthews.H"
 #include "userError.H"
 
 #include <map>
@@ -20,26 +21,50 @@ namespace
 {
 
 template<class Integrator>
-std::unique_ptr<integrator> make()
+std::unique_ptr<integrator> make(const engineSettings&)
 {
     return std::make_unique<Integrator>();
 }
 
 
-const std::map<std::string, std::unique_ptr<integrator> (*)()> integrators
+template<>
+std::unique_ptr<integrator> make<leimkuhlerMatthews>
+(
+    const engineSettings& settings
+)
+{
+    return std::make_unique<leimkuhlerMatthews>
+    (
+        settings.thermalEnergy, settings.seed
+    );
+}
+
+
+const std::map
+<
+    std::string,
+    std::unique_ptr<integrator> (*)(const engineSettings&)
+> integrators
 {
     {"auto", make<automatic>},
     {"Euler", make<forwardEuler>},
     {"AdamsBashforth2", make<adamsBashforth2>},
     {"RKC2", make<chebyshev2>},
-    {"BogackiShampine", make<bogackiShampine>}
+    {"BogackiShampine", make<bogackiShampine>},
+    {"LeimkuhlerMatthews", make<leimkuhlerMatthews>}
 };
 
 } // End namespace
 
 
-std::unique_ptr<integrator> integrator::New(const std::string& name)
+std::unique_ptr<integrator> integrator::New(const engineSettings& settings)
 {
+    const bool random = settings.thermalEnergy > 0;
+    const std::string name
+    (
+        random && settings.integrator == "auto"
+      ? "LeimkuhlerMatthews" : settings.integrator
+    );
     const auto found = integrators.find(name);
 
     if (found == integrators.end())
@@ -54,7 +79,15 @@ std::unique_ptr<integrator> integrator::New(const std::string& name)
             "Unknown integrator " + name + ". Valid integrators: " + names
         );
     }
-    return found->second();
+    if (random && name != "LeimkuhlerMatthews")
+    {
+        throw userError
+        (
+            "The integrator " + name + " does no random motion. Take auto or"
+            " LeimkuhlerMatthews, or switch Brownian off"
+        );
+    }
+    return found->second(settings);
 }
 
 } // End namespace plateletDynamics

@@ -15,6 +15,12 @@ namespace
 template<class Type>
 void reorderOne(std::vector<Type>& values, const std::vector<int>& order)
 {
+    // One that is not in use
+    if (values.empty())
+    {
+        return;
+    }
+
     std::vector<Type> reordered;
     reordered.reserve(order.size());
 
@@ -54,6 +60,8 @@ void platelets::reorder(const std::vector<int>& order)
     reorderOne(fixed, order);
     reorderOne(previousVelocity, order);
     reorderOne(previousStep, order);
+    reorderOne(mobilitySlope, order);
+    reorderOne(sinceChoice, order);
     reorderOne(crossings, order);
     reorderOne(force, order);
     reorderOne(velocity, order);
