@@ -157,6 +157,57 @@ TEST(scales, nothingBeyondTheRangeExceedsTheTolerance)
 }
 
 
+// Against the sum over a simple cubic lattice, of shells beyond the distance.
+// The integral spreads the shells evenly: a third either way
+TEST(scales, pressureBeyondTheCutOffIsThatOfALattice)
+{
+    for (const scalar c : {0.01, 0.1})
+    {
+        for (const scalar tolerance : {1e-1, 1e-2, 1e-3})
+        {
+            const platelet clay;
+            water solution;
+            solution.concentration = c;
+            const compressionDoubleLayer layer(clay, solution);
+            const pairInteraction pair(clay, solution, &layer, nullptr);
+            const scalar spacing = scalesOf(c).spacing(0.01);
+
+            const scalar cutOff = scales::cutOffInSpacings
+            (
+                pair, spacing, clay.thickness, tolerance
+            );
+            EXPECT_NEAR
+            (
+                scales::pressureBeyond
+                (
+                    cutOff, pair, spacing, clay.thickness
+                ),
+                tolerance,
+                0.02*tolerance
+            );
+
+            scalar all = 0;
+            scalar beyond = 0;
+            const int n = 25;
+            for (int i = -n; i <= n; ++i)
+            for (int j = -n; j <= n; ++j)
+            for (int k = -n; k <= n; ++k)
+            {
+                const scalar r = std::sqrt(scalar(i*i + j*j + k*k));
+                if (r > 0 && r < n)
+                {
+                    const scalar part =
+                        r*pair.force(r*spacing - clay.thickness);
+                    all += part;
+                    beyond += r > cutOff ? part : 0;
+                }
+            }
+            EXPECT_NEAR(beyond/all/tolerance, 1, 0.35) << c << ' ' << cutOff;
+        }
+    }
+}
+
+
 TEST(scales, rangeIsOneSpacingWhereEverythingIsTolerated)
 {
     EXPECT_NEAR(scalesOf(0.1).rangeInSpacings(1, 0.01), 1, 1e-12);

@@ -270,7 +270,7 @@ TEST(walls, letNoForceOfPairsThrough)
 }
 
 
-TEST(changeForce, isAsIfItHadBeenSoFromTheStart)
+TEST(change, isAsIfItHadBeenSoFromTheStart)
 {
     // A rock whose image is too far away for the first cut-off
     const periodicBox space(cube(4, true, true, false));
@@ -297,7 +297,7 @@ TEST(changeForce, isAsIfItHadBeenSoFromTheStart)
     changed.evaluate();
     const auto before = gather(changed.local(), changed.local().force, 60);
 
-    changed.changeForce(soft, 2);
+    changed.change(soft, wide);
     changed.advance(0.2);
 
     EXPECT_EQ(fresh.skin(), changed.skin());
@@ -313,5 +313,6 @@ TEST(changeForce, isAsIfItHadBeenSoFromTheStart)
         0.1
     );
 
-    EXPECT_THROW(changed.changeForce(soft, 2.01), userError);
+    wide.cutOff = 2.01;
+    EXPECT_THROW(changed.change(soft, wide), userError);
 }

@@ -145,13 +145,24 @@ Foam::clayCloud::clayCloud
         }
     );
     engine_->setSkinUse(state_.skinUse);
-    engine_->setIntegratorMemory
-    (
-        std::vector<double>
+    // Of another integrator, memory and histories mean something else
+    if (state_.integrator == engine_->integratorName())
+    {
+        engine_->setIntegratorMemory
         (
-            state_.integratorMemory.begin(), state_.integratorMemory.end()
-        )
-    );
+            std::vector<double>
+            (
+                state_.integratorMemory.begin(), state_.integratorMemory.end()
+            )
+        );
+    }
+    else
+    {
+        for (clayPlatelet& platelet : *this)
+        {
+            platelet.state().previousStep = 0;
+        }
+    }
     load();
 
     if (state_.entered == 0)
@@ -169,6 +180,7 @@ Foam::clayCloud::clayCloud
     if (mesh.time().timeIndex() == 0)
     {
         filter(0);
+        state_.placedFraction = meanFraction();
     }
     else
     {
@@ -270,6 +282,19 @@ void Foam::clayCloud::filter(const scalar deltaT)
 
 Foam::scalar Foam::clayCloud::maxDeltaT(const scalar filterLengths) const
 {
+    const scalar way = filterLengths*interactions_.filterLength();
+
+    if (interactions_.Brownian())
+    {
+        // The velocity of one platelet changes within the flow step: that of
+        // many counts, and the random way
+        return min
+        (
+            way/max(gMax(mag(Uclay_.primitiveField())()), VSMALL),
+            sqr(way)/(6*interactions_.diffusivity())
+        );
+    }
+
     scalar fastest = 0;
     for (const clayPlatelet& platelet : *this)
     {
@@ -277,7 +302,7 @@ Foam::scalar Foam::clayCloud::maxDeltaT(const scalar filterLengths) const
     }
     reduce(fastest, maxOp<scalar>());
 
-    return filterLengths*interactions_.filterLength()/max(fastest, VSMALL);
+    return way/max(fastest, VSMALL);
 }
 
 
@@ -342,10 +367,27 @@ void Foam::clayCloud::report(Ostream& os, costReport& cost) const
 {
     const plateletDynamics::engineCounters& counters = engine_->counters();
 
+    // Effects by name: what each costs. Gravity's is in the forces, which begin
+    // with it instead of 0
     cost.add("lists", counters.listSeconds, "platelets");
-    cost.add("forces", counters.forceSeconds, "platelets");
+    cost.add
+    (
+        interactions_.forcesAre(), counters.forceSeconds, "platelets"
+    );
     cost.add("choosing steps", counters.stiffnessSeconds, "platelets");
     cost.add("other ranks", counters.haloSeconds, "platelets");
+    if (counters.randomSeconds > 0)
+    {
+        cost.add("Brownian", counters.randomSeconds, "platelets");
+    }
+    if (dragSeconds_ > 0)
+    {
+        cost.add("drag", dragSeconds_, "platelets");
+    }
+    if (frictionSeconds_ > 0)
+    {
+        cost.add("localFraction", frictionSeconds_, "platelets");
+    }
 
     const scalar contacts =
         returnReduce(scalar(counters.contacts), sumOp<scalar>());

@@ -5,53 +5,135 @@
 
 #include "clayCloud.H"
 #include "asFatalError.H"
+#include "stopwatch.H"
 
 #include "fvcGrad.H"
 #include "fvMesh.H"
 
 #include <algorithm>
 
-void Foam::clayCloud::sampleWater(const volVectorField& Uwater)
+Foam::scalar Foam::clayCloud::meanFraction() const
+{
+    scalar sum = 0;
+    for (const clayPlatelet& platelet : *this)
+    {
+        sum += alpha_[platelet.cell()];
+    }
+    reduce(sum, sumOp<scalar>());
+
+    return sum/max(number(), label(1));
+}
+
+
+void Foam::clayCloud::updateEngine(const volVectorField& Uwater)
 {
     const reducedUnits& units = interactions_.units();
+    const scalar now = mesh_.time().value();
+    const scalar fraction = meanFraction();
+
+    // Placed on no cell of clay: nothing to compare with
+    const scalar spacing =
+        fraction > 0 && state_.placedFraction > 0
+      ? state_.spacing*Foam::cbrt(state_.placedFraction/fraction)
+      : state_.decidedSpacing;
+
+    const bool changed = interactions_.reconsider
+    (
+        now, spacing, Foam::sqrt(gMax(magSqr(Uwater.primitiveField())()))
+    );
+
+    if (!changed && !matter_.concentrationVaries())
+    {
+        return;
+    }
+
+    const std::string kernelBefore(engine_->kernelName());
+    asFatalError
+    (
+        units,
+        [&]
+        {
+            engine_->change(interactions_.force(now), interactions_.settings());
+        }
+    );
+    if (engine_->kernelName() != kernelBefore)
+    {
+        Info<< "Pair kernel: " << engine_->kernelName().c_str() << endl;
+    }
+}
+
+
+void Foam::clayCloud::sampleDrag(const volVectorField& Uwater)
+{
     plateletDynamics::platelets& local = engine_->local();
+
+    if (!interactions_.drag())
+    {
+        local.waterVelocity.assign(local.size(), {0, 0, 0});
+        return;
+    }
+
+    const plateletDynamics::stopwatch timing(dragSeconds_);
+    const scalar unit = interactions_.units().velocity();
 
     // Linear in each cell: other than the interpolation through the points of
     // the mesh, this is the same on any number of ranks
-    const bool drag = interactions_.drag();
-    const bool localFriction = interactions_.frictionIsLocal();
-    const tmp<volTensorField> gradU
-    (
-        drag ? fvc::grad(Uwater) : tmp<volTensorField>(nullptr)
-    );
-    const tmp<volVectorField> gradAlpha
-    (
-        localFriction ? fvc::grad(alpha_) : tmp<volVectorField>(nullptr)
-    );
-    const volVectorField& centres = mesh_.C();
+    const tmp<volTensorField> gradU(fvc::grad(Uwater));
 
     for (std::size_t i = 0; i < local.size(); ++i)
     {
         const clayPlatelet& platelet = *platelets_[local.tag[i]];
         const label celli = platelet.cell();
-        const vector fromCentre(platelet.position() - centres[celli]);
+        const vector fromCentre(platelet.position() - mesh_.C()[celli]);
 
-        if (drag)
+        local.waterVelocity[i] =
+            reduced(Uwater[celli] + (fromCentre & gradU()[celli]), unit);
+    }
+}
+
+
+void Foam::clayCloud::sampleFriction()
+{
+    const reducedUnits& units = interactions_.units();
+    plateletDynamics::platelets& local = engine_->local();
+
+    local.mobilitySlope.clear();
+    if (!interactions_.frictionIsLocal())
+    {
+        local.friction.assign
+        (
+            local.size(), interactions_.friction(0)/units.friction()
+        );
+        return;
+    }
+
+    const plateletDynamics::stopwatch timing(frictionSeconds_);
+    const tmp<volVectorField> gradAlpha(fvc::grad(alpha_));
+
+    for (std::size_t i = 0; i < local.size(); ++i)
+    {
+        const clayPlatelet& platelet = *platelets_[local.tag[i]];
+        const label celli = platelet.cell();
+        const vector fromCentre(platelet.position() - mesh_.C()[celli]);
+        const scalar alpha = min
+        (
+            max(alpha_[celli] + (fromCentre & gradAlpha()[celli]), scalar(0)),
+            scalar(0.99)
+        );
+
+        local.friction[i] = interactions_.friction(alpha)/units.friction();
+
+        if (interactions_.Brownian())
         {
-            local.waterVelocity[i] = reduced
+            local.mobilitySlope.push_back
             (
-                Uwater[celli] + (fromCentre & gradU()[celli]),
-                units.velocity()
+                reduced
+                (
+                    interactions_.mobilitySlope(alpha)*gradAlpha()[celli],
+                    1/units.length()
+                )
             );
         }
-
-        scalar alpha = 0;
-        if (localFriction)
-        {
-            alpha = alpha_[celli] + (fromCentre & gradAlpha()[celli]);
-            alpha = min(max(alpha, scalar(0)), scalar(0.99));
-        }
-        local.friction[i] = interactions_.friction(alpha)/units.friction();
     }
 }
 
@@ -162,28 +244,8 @@ void Foam::clayCloud::follow()
 void Foam::clayCloud::move(const volVectorField& Uwater, const scalar deltaT)
 {
     const reducedUnits& units = interactions_.units();
-    const scalar now = mesh_.time().value();
 
-    if (matter_.concentrationVaries())
-    {
-        const std::string kernelBefore(engine_->kernelName());
-        asFatalError
-        (
-            units,
-            [&]
-            {
-                engine_->changeForce
-                (
-                    interactions_.force(now),
-                    interactions_.settings().cutOff
-                );
-            }
-        );
-        if (engine_->kernelName() != kernelBefore)
-        {
-            Info<< "Pair kernel: " << engine_->kernelName().c_str() << endl;
-        }
-    }
+    updateEngine(Uwater);
 
     labelList idsBefore(size());
     std::copy
@@ -192,7 +254,8 @@ void Foam::clayCloud::move(const volVectorField& Uwater, const scalar deltaT)
         idsBefore.begin()
     );
 
-    sampleWater(Uwater);
+    sampleDrag(Uwater);
+    sampleFriction();
     asFatalError(units, [&]{ engine_->advance(deltaT/units.time()); });
     takeBack();
     follow();
@@ -203,6 +266,7 @@ void Foam::clayCloud::move(const volVectorField& Uwater, const scalar deltaT)
     {
         engine_->listsExpire();
         state_.skinUse = engine_->skinUse();
+        state_.integrator = engine_->integratorName();
 
         const std::vector<double> memory(engine_->integratorMemory());
         state_.integratorMemory.setSize(label(memory.size()));

@@ -4,8 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "clayInteractions.H"
-#include "checkWords.H"
-#include "coagulation.H"
 #include "doubleLayer.H"
 #include "mathematicalConstants.H"
 #include "pairInteraction.H"
@@ -62,24 +60,21 @@ Foam::clayInteractions::clayInteractions
 (
     const colloid::clayProperties& matter,
     const cloudProperties& properties,
-    const clayState& state,
+    clayState& state,
     const periodicAxes& axes,
     const vector& g
 )
 :
     matter_(matter),
     properties_(properties),
+    axes_(axes),
+    g_(g),
     state_(state),
     weight_(Zero),
     warned_(false)
 {
-    const scalar time = state.placedAt;
-
-    decideEffects(time, g);
-    decideFriction(time);
-    chooseUnits(time);
-    chooseCutOff(time, axes);
-    chooseEngine();
+    chooseUnits();
+    decide();
 }
 
 
@@ -95,9 +90,9 @@ Foam::scalar Foam::clayInteractions::parcelVolume() const
 }
 
 
-Foam::scalar Foam::clayInteractions::placedFraction() const
+Foam::scalar Foam::clayInteractions::fractionAt(const scalar spacing) const
 {
-    return min(parcelVolume()/pow3(state_.spacing), scalar(0.99));
+    return min(parcelVolume()/pow3(spacing), scalar(0.99));
 }
 
 
@@ -124,172 +119,42 @@ Foam::colloid::pairInteraction Foam::clayInteractions::pairLaw
 }
 
 
-void Foam::clayInteractions::decideEffects(const scalar time, const vector& g)
-{
-    const colloid::platelet& clay = matter_.clay();
-    const colloid::water water(matter_.waterAt(time));
-    const scalar alpha = state_.coarseGraining;
-    const scalar tolerance = properties_.tolerance();
-
-    doubleLayerOn_ = effects_.decide
-    (
-        "doubleLayer", properties_.effect("doubleLayer"), "(always)", 1,
-        tolerance
-    );
-    dragOn_ = effects_.decide
-    (
-        "drag", properties_.effect("drag"), "(always)", 1, tolerance
-    );
-
-    const autoPtr<colloid::doubleLayer> repulsion
-    (
-        matter_.newDoubleLayer(properties_.doubleLayerDict(), water)
-    );
-    const colloid::scales scales
-    (
-        clay, water, *repulsion, *matter_.newFriction("Stokes", water)
-    );
-    const scalar fraction = placedFraction();
-
-    // Where platelets come nearer than placed, and where they have spread
-    scalar attraction = 0;
-    for (const scalar spacings : {0.5, 1.0, 1.5})
-    {
-        attraction = max
-        (
-            attraction,
-            scales.vanDerWaalsOverDoubleLayer
-            (
-                max
-                (
-                    spacings*clay.cubicSpacing(fraction) - clay.thickness,
-                    clay.contactGap
-                )
-            )
-        );
-    }
-    vanDerWaalsOn_ = effects_.decide
-    (
-        "vanDerWaals",
-        properties_.effect("vanDerWaals"),
-        "F_vdW/F_DDL, 0.5-1.5 spacings",
-        attraction,
-        tolerance
-    );
-    if (vanDerWaalsOn_)
-    {
-        warnOfCoagulation(water.concentration);
-    }
-
-    effects_.unavailable
-    (
-        "Brownian",
-        properties_,
-        "kT/(F spacing)",
-        scales.thermalOverForce(fraction),
-        tolerance
-    );
-
-    const scalar force = mag(pairLaw(time).force(state_.spacing - thickness()));
-    const scalar thermalForce = alpha*water.thermalEnergy()/state_.spacing;
-    const vector weight(alpha*clay.volume()*(clay.density - water.density)*g);
-
-    if
-    (
-        effects_.decide
-        (
-            "gravity",
-            properties_.effect("gravity"),
-            "weight/max(F, kT/spacing)",
-            mag(weight)/max(force, thermalForce),
-            tolerance
-        )
-    )
-    {
-        weight_ = weight;
-    }
-}
-
-
-void Foam::clayInteractions::warnOfCoagulation(const scalar concentration) const
-{
-    const auto negative =
-        colloid::coagulation(matter_, properties_.doubleLayerDict())
-       .negative(concentration);
-
-    if (negative.found)
-    {
-        WarningInFunction
-            << "At " << concentration << " mol/m3 attraction wins: between the"
-            << " solid fractions " << negative.lower << " and "
-            << negative.upper << nl
-            << "    diffusivity is negative and platelets aggregate (clayScales"
-            << " shows the critical concentration)" << nl << endl;
-    }
-}
-
-
-void Foam::clayInteractions::decideFriction(const scalar time)
+void Foam::clayInteractions::chooseUnits()
 {
     using choice = cloudProperties::choice;
 
+    // Of what may act, whatever counts now
+    doubleLayerOn_ = properties_.effect("doubleLayer") != choice::off;
+    vanDerWaalsOn_ = properties_.effect("vanDerWaals") == choice::on;
+
+    const scalar time = state_.placedAt;
     const colloid::water water(matter_.waterAt(time));
-    const word model(matter_.frictionModel());
-
-    const bool packing = effects_.decide
-    (
-        "KozenyCarman",
-        model == "auto" ? choice::automatic
-      : model == "KozenyCarman" ? choice::on : choice::off,
-        "2nd/1st term of friction",
-        colloid::scales
-        (
-            matter_.clay(),
-            water,
-            *matter_.newDoubleLayer("compression", water),
-            *matter_.newFriction("Stokes", water)
-        ).KozenyCarmanOverStokes(matter_.Kozeny(), placedFraction()),
-        properties_.tolerance()
-    );
-
-    friction_ = matter_.newFriction
-    (
-        model == "auto" ? word(packing ? "KozenyCarman" : "Stokes") : model,
-        water
-    );
-}
-
-
-void Foam::clayInteractions::chooseUnits(const scalar time)
-{
     const scalar spacing = state_.spacing;
 
     // Where the forces are nothing (far apart in salt water), the thermal one
     const scalar force = max
     (
         mag(pairLaw(time).force(spacing - thickness())),
-        state_.coarseGraining*matter_.waterAt(time).thermalEnergy()/spacing
+        state_.coarseGraining*water.thermalEnergy()/spacing
     );
+    const scalar friction =
+        state_.coarseGraining*matter_.newFriction("Stokes", water)->value(0);
 
-    units_.reset(new reducedUnits(spacing, force, friction(placedFraction())));
+    units_.reset(new reducedUnits(spacing, force, friction));
 }
 
 
-void Foam::clayInteractions::chooseCutOff
-(
-    const scalar time,
-    const periodicAxes& axes
-)
+void Foam::clayInteractions::chooseCutOff()
 {
-    const scalar spacing = state_.spacing;
-    const colloid::pairInteraction law(pairLaw(time));
+    const scalar spacing = state_.decidedSpacing;
+    const colloid::pairInteraction law(pairLaw(state_.decidedAt));
 
     scalar halfPeriod = GREAT;
     for (direction axis = 0; axis < 3; ++axis)
     {
-        if (axes.periodic(axis))
+        if (axes_.periodic(axis))
         {
-            halfPeriod = min(halfPeriod, 0.5*axes.period(axis));
+            halfPeriod = min(halfPeriod, 0.5*axes_.period(axis));
         }
     }
 
@@ -312,7 +177,7 @@ void Foam::clayInteractions::chooseCutOff
     )
     {
         // Few platelets in open space: all pairs, however far they move apart
-        cutOff_ = 1e3*max(scalar(state_.entered), scalar(1))*spacing;
+        cutOff_ = 1e3*max(scalar(state_.entered), scalar(1))*state_.spacing;
     }
     else
     {
@@ -323,25 +188,27 @@ void Foam::clayInteractions::chooseCutOff
         const scalar spacings = min
         (
             furthest,
-            colloid::scales::rangeInSpacings
+            colloid::scales::cutOffInSpacings
             (
                 law, spacing, thickness(), properties_.tolerance()
             )
         );
 
-        // Room for the taper of the last tenth
-        cutOff_ = min(max(spacings, scalar(1.5))/0.9*spacing, halfPeriod);
+        // The taper of the last tenth takes about half of what is there
+        cutOff_ = min(max(spacings, scalar(1.5))/0.95*spacing, halfPeriod);
     }
 }
 
 
-Foam::scalar Foam::clayInteractions::forceLeftOut(const scalar time) const
+Foam::scalar Foam::clayInteractions::pressureLeftOut(const scalar time) const
 {
-    const colloid::pairInteraction law(pairLaw(time));
-
-    return
-        mag(law.force(0.9*cutOff_ - thickness()))
-       /max(mag(law.force(state_.spacing - thickness())), VSMALL);
+    return colloid::scales::pressureBeyond
+    (
+        0.95*cutOff_/state_.decidedSpacing,
+        pairLaw(time),
+        state_.decidedSpacing,
+        thickness()
+    );
 }
 
 
@@ -351,10 +218,10 @@ void Foam::clayInteractions::chooseEngine()
 
     settings_.thickness = thickness()/units_->length();
     settings_.cutOff = cutOff_/units_->length();
-    settings_.spacing = state_.spacing/units_->length();
+    settings_.spacing = state_.decidedSpacing/units_->length();
     settings_.skin = max(properties_.skin(), scalar(0))/units_->length();
     settings_.pairKernel =
-        properties_.exactKernel() || cutOff_ > 100*state_.spacing
+        properties_.exactKernel() || cutOff_ > 100*state_.decidedSpacing
       ? engineSettings::kernel::exact
       : engineSettings::kernel::fast;
     settings_.tableTolerance = 1e-3*properties_.tolerance();
@@ -363,6 +230,30 @@ void Foam::clayInteractions::chooseEngine()
     settings_.deltaT =
         max(properties_.engineDeltaT(), scalar(0))/units_->time();
     settings_.bodyForce = reduced(weight_, units_->force());
+    settings_.seed = properties_.seed();
+    settings_.thermalEnergy = 0;
+    settings_.thermalStep = 0;
+
+    if (BrownianOn_)
+    {
+        const colloid::water water(matter_.waterAt(state_.decidedAt));
+        settings_.thermalEnergy =
+            state_.coarseGraining*water.thermalEnergy()
+           /(units_->force()*units_->length());
+
+        // A random displacement is small against the length over which forces
+        // change: the bias of the distribution goes as its fourth power
+        const scalar length =
+            doubleLayerOn_
+          ? min
+            (
+                state_.coarseGraining/water.inverseDebyeLength(),
+                state_.decidedSpacing
+            )
+          : state_.decidedSpacing;
+        settings_.thermalStep =
+            pow(properties_.tolerance(), 0.25)*length/units_->length();
+    }
 }
 
 
@@ -370,16 +261,20 @@ std::shared_ptr<const plateletDynamics::gapForce>
 Foam::clayInteractions::force(const scalar time) const
 {
     // A cut-off of the water at the start may not do for dilute water
-    const scalar leftOut = forceLeftOut(time);
+    const scalar leftOut = pressureLeftOut(time);
 
-    if (leftOut > 2*forceLeftOut(state_.placedAt) + properties_.tolerance())
+    if
+    (
+        leftOut
+      > 2*pressureLeftOut(state_.decidedAt) + properties_.tolerance()
+    )
     {
         if (!warned_)
         {
             WarningInFunction
                 << "At " << time << " s the cut-off of " << cutOff_
-                << " m leaves out " << leftOut << " of the force at the mean"
-                << " spacing." << nl
+                << " m leaves out " << leftOut << " of the osmotic pressure."
+                << nl
                 << "    Set cutOff (clayCloudProperties) for the most dilute"
                 << " water of the run" << nl << endl;
         }
@@ -390,9 +285,33 @@ Foam::clayInteractions::force(const scalar time) const
 }
 
 
+std::string Foam::clayInteractions::forcesAre() const
+{
+    return
+        doubleLayerOn_ && vanDerWaalsOn_ ? "doubleLayer, vanDerWaals"
+      : doubleLayerOn_ ? "doubleLayer"
+      : vanDerWaalsOn_ ? "vanDerWaals" : "forces";
+}
+
+
 Foam::scalar Foam::clayInteractions::friction(const scalar fraction) const
 {
     return state_.coarseGraining*friction_->value(fraction);
+}
+
+
+Foam::scalar Foam::clayInteractions::mobilitySlope(const scalar fraction) const
+{
+    return -friction_->slope(fraction)/friction_->value(fraction);
+}
+
+
+Foam::scalar Foam::clayInteractions::diffusivity() const
+{
+    return
+        BrownianOn_
+      ? matter_.waterAt(state_.decidedAt).thermalEnergy()/friction_->value(0)
+      : 0;
 }
 
 
@@ -424,14 +343,14 @@ void Foam::clayInteractions::print
     os  << nl << "Platelets" << nl
         << "    coarseGraining   " << state_.coarseGraining
         << " (a parcel stands for " << pow3(state_.coarseGraining) << ")" << nl
-        << "    mean spacing     " << state_.spacing << " m, solid fraction "
-        << placedFraction() << nl
-        << "    friction         " << friction(placedFraction())
+        << "    mean spacing     " << state_.decidedSpacing
+        << " m, solid fraction " << fractionAt(state_.decidedSpacing) << nl
+        << "    friction         " << friction(fractionAt(state_.decidedSpacing))
         << " N s/m" << (frictionIsLocal() ? ", follows alpha.clay" : "") << nl
         << "    cutOff           " << cutOff_ << " m ("
         << said(properties_.cutOff()) << "), "
-        << cutOff_/state_.spacing << " spacings; force left out "
-        << forceLeftOut(state_.placedAt) << nl
+        << cutOff_/state_.decidedSpacing << " spacings; pressure left out "
+        << pressureLeftOut(state_.decidedAt) << nl
         << "    skin             ";
     if (properties_.skin() > 0)
     {
@@ -444,8 +363,9 @@ void Foam::clayInteractions::print
     os  << "    kernel           " << kernelName.c_str() << nl
         << "    integrator       " << settings_.integrator.c_str()
         << (
-               settings_.integrator == "auto"
-             ? " (RKC2 or BogackiShampine)" : ""
+               settings_.integrator != "auto" ? ""
+             : BrownianOn_ ? " (LeimkuhlerMatthews)"
+             : " (RKC2 or BogackiShampine)"
            )
         << ", engineDeltaT "
         << said(properties_.engineDeltaT()) << nl

@@ -72,6 +72,11 @@ Foam::clayState::clayState(const polyMesh& mesh)
     readEntry("spacing", spacing);
     readEntry("entered", entered);
     readEntry("left", left);
+    readEntry("placedFraction", placedFraction);
+    readEntry("decidedAt", decidedAt);
+    readEntry("decidedSpacing", decidedSpacing);
+    readEntry("decidedSpeed", decidedSpeed);
+    readIfPresent("integrator", integrator);
     readIfPresent("skinUse", skinUse);
     readIfPresent("integratorMemory", integratorMemory);
 }
@@ -89,6 +94,8 @@ Foam::clayState::clayState
     coarseGraining(scale),
     placedAt(mesh.time().value()),
     spacing(meanSpacing),
+    decidedAt(placedAt),
+    decidedSpacing(meanSpacing),
     entered(number)
 {}
 
@@ -112,9 +119,17 @@ bool Foam::clayState::writeData(Ostream& os) const
     os.writeEntry("coarseGraining", coarseGraining);
     os.writeEntry("placedAt", placedAt);
     os.writeEntry("spacing", spacing);
+    os.writeEntry("placedFraction", placedFraction);
+    os.writeEntry("decidedAt", decidedAt);
+    os.writeEntry("decidedSpacing", decidedSpacing);
+    os.writeEntry("decidedSpeed", decidedSpeed);
     os.writeEntry("entered", entered);
     os.writeEntry("left", left);
     os.writeEntry("skinUse", skinUse);
+    if (integrator.size())
+    {
+        os.writeEntry("integrator", integrator);
+    }
     if (integratorMemory.size())
     {
         // As text in files of any format, like the other entries

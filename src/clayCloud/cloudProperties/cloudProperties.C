@@ -209,6 +209,15 @@ Foam::label Foam::cloudProperties::maxNeighbours() const
 }
 
 
+Foam::label Foam::cloudProperties::seed() const
+{
+    return section("solution").getCheckOrDefault<label>
+    (
+        "seed", 1, [](label n) { return n >= 0; }
+    );
+}
+
+
 Foam::scalar Foam::cloudProperties::coarseGraining() const
 {
     const dictionary solution(section("solution"));

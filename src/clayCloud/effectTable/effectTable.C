@@ -25,34 +25,46 @@ bool Foam::effectTable::decide
       ? measure >= threshold
       : choice == cloudProperties::choice::on;
 
-    rows_.append
-    (
-        row{name, measureIs, measure, threshold, on, automatic ? "auto" : "user"}
-    );
+    note(name, measureIs, measure, threshold, on, automatic ? "auto" : "user");
     return on;
 }
 
 
-void Foam::effectTable::unavailable
+void Foam::effectTable::note
 (
     const word& name,
-    const cloudProperties& properties,
     const string& measureIs,
     const scalar measure,
-    const scalar threshold
+    const scalar threshold,
+    const bool on,
+    const word& whoSaid
 )
 {
-    if (properties.effect(name) == cloudProperties::choice::on)
+    rows_.append(row{name, measureIs, measure, threshold, on, whoSaid});
+}
+
+
+bool Foam::effectTable::printChanges
+(
+    Ostream& os,
+    const effectTable& before
+) const
+{
+    bool any = false;
+
+    forAll(rows_, i)
     {
-        FatalIOErrorInFunction(properties.dict().subDict("effects"))
-            << "The effect '" << name << "' is not available in this version."
-            << " Its measure here (" << measureIs.c_str() << ") is " << measure
-            << "; set it to off or auto" << exit(FatalIOError);
+        const row& r = rows_[i];
+
+        if (r.on != before.rows_[i].on)
+        {
+            any = true;
+            os  << "    " << r.name << " is " << (r.on ? "on" : "off")
+                << " from here on: " << r.measureIs.c_str() << " is "
+                << r.measure << ", threshold " << r.threshold << nl;
+        }
     }
-    rows_.append
-    (
-        row{name, measureIs, measure, threshold, false, "unavailable"}
-    );
+    return any;
 }
 
 
@@ -77,14 +89,4 @@ void Foam::effectTable::print(Ostream& os) const
     }
 
     os  << text.str().c_str() << endl;
-
-    for (const row& r : rows_)
-    {
-        if (r.whoSaid == "unavailable" && r.measure >= r.threshold)
-        {
-            WarningInFunction
-                << r.name << " would be on by its measure, but this version"
-                << " does not compute it" << nl << endl;
-        }
-    }
 }

@@ -6,6 +6,8 @@
 #include "scales.H"
 #include "KozenyCarmanFriction.H"
 #include "StokesFriction.H"
+#include "mathematicalConstants.H"
+#include "quadrature.H"
 
 #include <cmath>
 
@@ -107,6 +109,77 @@ Foam::scalar Foam::colloid::scales::rangeInSpacings
 
     return far;
 }
+
+
+Foam::scalar Foam::colloid::scales::pressureBeyond
+(
+    const scalar spacings,
+    const pairInteraction& pair,
+    const scalar spacing,
+    const scalar thickness
+)
+{
+    const auto forceAt = [&](const scalar r)
+    {
+        return mag(pair.force(r*spacing - thickness));
+    };
+    const auto beyond = [&](const scalar start)
+    {
+        // Panels in which an exponential and a power are smooth
+        const scalar ratio = 1.05;
+
+        scalar sum = 0;
+        for (scalar r = start; r < 1000; r *= ratio)
+        {
+            sum += integralOverPanel
+            (
+                [&](const scalar x)
+                {
+                    return
+                        4*constant::mathematical::pi*pow3(x)*forceAt(x);
+                },
+                r,
+                ratio*r
+            );
+        }
+        return sum;
+    };
+
+    // The six nearest, and the others as if they were spread evenly
+    const scalar all = 6*forceAt(1) + beyond(1.2);
+
+    return all > 0 ? beyond(spacings)/all : 0;
+}
+
+
+Foam::scalar Foam::colloid::scales::cutOffInSpacings
+(
+    const pairInteraction& pair,
+    const scalar spacing,
+    const scalar thickness,
+    const scalar tolerance
+)
+{
+    scalar near = 1;
+    scalar far = 1000;
+
+    if (pressureBeyond(near, pair, spacing, thickness) <= tolerance)
+    {
+        return near;
+    }
+
+    while (far > 1.001*near)
+    {
+        const scalar middle = std::sqrt(near*far);
+
+        (
+            pressureBeyond(middle, pair, spacing, thickness) > tolerance
+          ? near : far
+        ) = middle;
+    }
+    return far;
+}
+
 
 
 Foam::scalar Foam::colloid::scales::criticalTimeStep
@@ -225,6 +298,37 @@ Foam::scalar Foam::colloid::scales::thermalOverForce
         work*GREAT > water_.thermalEnergy()
       ? water_.thermalEnergy()/work
       : GREAT;
+}
+
+
+Foam::scalar Foam::colloid::scales::doubleLayerOverThermal
+(
+    const scalar fraction
+) const
+{
+    const pairInteraction repulsion
+    (
+        clay_, water_, doubleLayer_.get(), nullptr
+    );
+    const scalar kT = water_.thermalEnergy();
+
+    // Bisection for the gap of which the energy is kT
+    scalar near = clay_.contactGap;
+    scalar far = 1e3*max(DebyeLength(), clay_.thickness);
+    for (int i = 0; i < 60; ++i)
+    {
+        const scalar middle = 0.5*(near + far);
+        (repulsion.energy(middle) > kT ? near : far) = middle;
+    }
+    const scalar excluded =
+        2*constant::mathematical::pi/3
+       *pow3((near + clay_.thickness)/spacing(fraction));
+
+    return max
+    (
+        doubleLayer_->force(gapAtSpacing(fraction))*spacing(fraction)/kT,
+        excluded
+    );
 }
 
 

@@ -76,9 +76,13 @@ void engine::listsExpire()
 }
 
 
-void engine::changeForce(std::shared_ptr<const gapForce> force, double cutOff)
+void engine::change
+(
+    std::shared_ptr<const gapForce> force,
+    const engineSettings& settings
+)
 {
-    implementation_->changeForce(std::move(force), cutOff);
+    implementation_->change(std::move(force), settings);
 }
 
 
@@ -145,6 +149,12 @@ double engine::skin() const
 std::vector<double> engine::integratorMemory() const
 {
     return implementation_->steps().memory();
+}
+
+
+std::string engine::integratorName() const
+{
+    return implementation_->integratorName();
 }
 
 

@@ -93,25 +93,37 @@ engine::implementation::implementation
     loops_(vectorLoops::choose(settings.instructions)),
     near_(ranks_, space_, limits_, loops_)
 {
-    changeForce(std::move(force), settings.cutOff);
+    change(std::move(force), settings);
 }
 
 
-void engine::implementation::changeForce
+void engine::implementation::change
 (
     std::shared_ptr<const gapForce> force,
-    double cutOff
+    const engineSettings& settings
 )
 {
-    settings_.cutOff = cutOff;
-    plateletDynamics::check(settings_);
+    plateletDynamics::check(settings);
+
+    if
+    (
+        settings.integrator != settings_.integrator
+     || settings.thermalEnergy != settings_.thermalEnergy
+     || settings.seed != settings_.seed
+    )
+    {
+        integrator_ = integrator::New(settings);
+        local_.previousStep.assign(local_.size(), 0);
+    }
+    settings_ = settings;
+    clearChoice();
 
     force_ = std::make_unique<taperedForce>
     (
-        std::move(force), settings_.thickness, cutOff
+        std::move(force), settings_.thickness, settings_.cutOff
     );
     kernel_ = pairKernel::New(*force_, settings_, loops_);
-    near_.setRange(cutOff, force_->wallCutOff(), settings_.skin);
+    near_.setRange(settings_.cutOff, force_->wallCutOff(), settings_.skin);
     listsExpire();
 }
 
@@ -211,10 +223,7 @@ void engine::implementation::load(platelets&& loaded)
     local_.force.assign(local_.size(), vector::Zero());
     local_.velocity.assign(local_.size(), vector::Zero());
     local_.crossings.assign(local_.size(), {0, 0, 0});
-    local_.sinceChoice.assign
-    (
-        isRandom() ? local_.size() : 0, vector::Zero()
-    );
+    clearChoice();
     problem_.clear();
     departures_.clear();
 

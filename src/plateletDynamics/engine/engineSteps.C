@@ -6,6 +6,8 @@
 
 #include "engineImplementation.H"
 
+#include "stopwatch.H"
+
 #include <cmath>
 #include <limits>
 
@@ -90,6 +92,16 @@ double engine::implementation::stableDeltaT()
         ({
             byStiffness, fastest[0]/(largestMove*moveScale()), byNoise
         })
+    );
+}
+
+
+void engine::implementation::clearChoice()
+{
+    travelled_ = 0;
+    local_.sinceChoice.assign
+    (
+        isRandom() ? local_.size() : 0, vector::Zero()
     );
 }
 
@@ -404,11 +416,7 @@ void engine::implementation::advance(double duration)
             {
                 steps = stepsFor(remaining);
                 deltaT = remaining/steps;
-                travelled_ = 0;
-                local_.sinceChoice.assign
-                (
-                    isRandom() ? local_.size() : 0, vector::Zero()
-                );
+                clearChoice();
             }
 
             // The last step ends on the duration, free of accumulated rounding
@@ -418,6 +426,9 @@ void engine::implementation::advance(double duration)
 
         ++counters_.steps;
 
+        double moving = 0;
+        double& seconds = isRandom() ? counters_.randomSeconds : moving;
+        const stopwatch watch(seconds);
         const double taken = integrator_->step(*this, deltaT);
         remaining = taken < remaining ? remaining - taken : 0;
     }

@@ -83,6 +83,15 @@ Foam::scalar Foam::colloid::KozenyCarmanFriction::value
 }
 
 
+Foam::scalar Foam::colloid::KozenyCarmanFriction::slope
+(
+    const scalar fraction
+) const
+{
+    return varies() ? bed_*(1 + fraction)/pow3(1 - fraction) : 0;
+}
+
+
 bool Foam::colloid::KozenyCarmanFriction::varies() const
 {
     return fixedFraction_ < 0;
