@@ -56,6 +56,40 @@ void Foam::clayCloud::sampleWater(const volVectorField& Uwater)
 }
 
 
+void Foam::clayCloud::checkEngineStep(const scalar deltaT)
+{
+    const word integrator(properties_.integrator());
+    const scalar step = min(properties_.engineDeltaT(), deltaT);
+
+    if
+    (
+        stepChecked_ || step <= 0
+     || (integrator != "Euler" && integrator != "AdamsBashforth2")
+    )
+    {
+        return;
+    }
+    stepChecked_ = true;
+
+    const reducedUnits& units = interactions_.units();
+    scalar limit = 0;
+    asFatalError
+    (
+        units, [&]{ limit = engine_->stabilityLimit()*units.time(); }
+    );
+
+    if (step > limit)
+    {
+        WarningInFunction
+            << "Engine steps of " << step << " s are longer than " << integrator
+            << " is sure to bear here, " << limit << " s:" << nl
+            << "    platelets may jump to and fro, ever farther. A smaller"
+            << " engineDeltaT, or integrator auto (clayCloudProperties)" << nl
+            << endl;
+    }
+}
+
+
 void Foam::clayCloud::takeBack()
 {
     const reducedUnits& units = interactions_.units();
@@ -193,6 +227,7 @@ void Foam::clayCloud::move(const volVectorField& Uwater, const scalar deltaT)
     );
 
     sampleWater(Uwater);
+    checkEngineStep(deltaT);
     asFatalError(units, [&]{ engine_->advance(deltaT/units.time()); });
     takeBack();
     follow();
