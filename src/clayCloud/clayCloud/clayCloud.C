@@ -225,6 +225,22 @@ void Foam::clayCloud::checkFilterLength() const
 }
 
 
+void Foam::clayCloud::checkFraction()
+{
+    const scalar most = gMax(alpha_.primitiveField());
+
+    if (most > 1 && !crowded_)
+    {
+        crowded_ = true;
+        WarningInFunction
+            << "alpha.clay reaches " << most << ", more clay than room; where"
+            << " friction follows it, it counts as 0.99 there." << nl
+            << "    Larger cells, a larger filter length (clayCloudProperties)"
+            << " or fewer platelets (setClayDict)" << nl << endl;
+    }
+}
+
+
 void Foam::clayCloud::load()
 {
     const reducedUnits& units = interactions_.units();
@@ -277,6 +293,7 @@ void Foam::clayCloud::filter(const scalar deltaT)
         alpha_,
         Uclay_
     );
+    checkFraction();
 }
 
 

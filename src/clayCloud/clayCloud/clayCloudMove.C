@@ -138,6 +138,44 @@ void Foam::clayCloud::sampleFriction()
 }
 
 
+void Foam::clayCloud::checkEngineStep(const scalar deltaT)
+{
+    const word integrator(engine_->integratorName());
+    const scalar step = min(properties_.engineDeltaT(), deltaT);
+
+    if
+    (
+        stepChecked_ || step <= 0
+     || (
+            integrator != "Euler"
+         && integrator != "AdamsBashforth2"
+         && integrator != "LeimkuhlerMatthews"
+        )
+    )
+    {
+        return;
+    }
+    stepChecked_ = true;
+
+    const reducedUnits& units = interactions_.units();
+    scalar limit = 0;
+    asFatalError
+    (
+        units, [&]{ limit = engine_->stabilityLimit()*units.time(); }
+    );
+
+    if (step > limit)
+    {
+        WarningInFunction
+            << "Engine steps of " << step << " s are longer than " << integrator
+            << " is sure to bear here, " << limit << " s:" << nl
+            << "    platelets may jump to and fro, ever farther. A smaller"
+            << " engineDeltaT, or integrator auto (clayCloudProperties)" << nl
+            << endl;
+    }
+}
+
+
 void Foam::clayCloud::takeBack()
 {
     const reducedUnits& units = interactions_.units();
@@ -256,6 +294,7 @@ void Foam::clayCloud::move(const volVectorField& Uwater, const scalar deltaT)
 
     sampleDrag(Uwater);
     sampleFriction();
+    checkEngineStep(deltaT);
     asFatalError(units, [&]{ engine_->advance(deltaT/units.time()); });
     takeBack();
     follow();

@@ -22,6 +22,9 @@ namespace
 //  0.8 of the one before
 constexpr int mostTries = 200;
 
+//- Longest steps of one call beyond which it would never end
+constexpr double tooManySteps = 1e12;
+
 } // End namespace
 
 
@@ -36,6 +39,20 @@ double adaptiveIntegrator::longestStep(motion& system) const
 double adaptiveIntegrator::step(motion& system, double deltaT)
 {
     start_ = system.local().velocity;
+
+    if (deltaT/tooManySteps > longestStep(system))
+    {
+        throw userError
+        (
+            text
+            (
+                "A duration of ", deltaT, " would take more than ",
+                tooManySteps, " steps: displacements decay at ",
+                system.decayRate(), " per time. Softer forces (a larger"
+                " contactGap), or platelets that do not overlap"
+            )
+        );
+    }
 
     if (control_.next() <= 0)
     {

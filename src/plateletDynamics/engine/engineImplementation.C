@@ -279,7 +279,8 @@ void engine::implementation::evaluateForces(bool maySort)
         problem_ = text
         (
             "Platelets ", met.coincident[0], " and ", met.coincident[1],
-            " are at the same place: their force has no direction"
+            " are at the same place: their force has no direction. Move one of"
+            " them, however little"
         );
     }
 

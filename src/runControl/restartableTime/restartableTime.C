@@ -242,6 +242,26 @@ void Foam::restartableTime::readExactState()
     scheduleStart_ = state.value;
     deltaT0_ = state.deltaT0;
 
+    // Time reads it from the directory that the default six digits name: where
+    // there are 1 and 1.0000001, not from the second
+    const IOdictionary written
+    (
+        IOobject
+        (
+            "time",
+            timeName(),
+            "uniform",
+            *this,
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+    if (written.readIfPresent("index", startTimeIndex_))
+    {
+        timeIndex_ = startTimeIndex_;
+    }
+
     // As in Time: without adjustTimeStep the dictionary's deltaT counts
     if (isAdjustTimeStep())
     {
