@@ -133,8 +133,8 @@ A point is a run of clayFoam: its cost, and how far it\n\
 ends from a run that is tighter in this knob. Lower is\n\
 more exact, left is cheaper. The number at a point\n\
 is the value of the knob.\n\n\
-Gel of 6912 platelets in 12 layers expands for 2 ms\n\
-into water of 0.1 mol/m^3. One core.\n\n\
+Gel of 6912 platelets in 12 layers expands into\n\
+water of 0.1 mol/m^3. One core.\n\n\
 Swelling: error of the rise of the clay's centre.\n\
 Profile: root of the mean square error of slabs,\n\
 over that of the profile itself.\n\n\
