@@ -23,6 +23,7 @@ Description
 #include "cloudProperties.H"
 #include "fvCFD.H"
 #include "OSspecific.H"
+#include "parcelScale.H"
 #include "waterLimits.H"
 
 int main(int argc, char *argv[])
@@ -48,18 +49,6 @@ int main(int argc, char *argv[])
     const cloudProperties properties(runTime);
     const periodicAxes axes(waterLimits::withCells(mesh));
 
-    const scalar coarseGraining = properties.coarseGraining();
-    if (coarseGraining < 0)
-    {
-        FatalIOErrorInFunction(properties.dict())
-            << "coarseGraining auto is not available in this version: give a"
-            << " number >= 1" << exit(FatalIOError);
-    }
-    const arrangement::scene scene
-    {
-        mesh, axes, pow3(coarseGraining)*matter.clay().volume()
-    };
-
     const IOdictionary setClayDict
     (
         IOobject
@@ -71,6 +60,13 @@ int main(int argc, char *argv[])
             IOobject::NO_WRITE
         )
     );
+    const scalar coarseGraining =
+        parcelScale(mesh, axes, matter, properties, setClayDict);
+
+    const arrangement::scene scene
+    {
+        mesh, axes, pow3(coarseGraining)*matter.clay().volume()
+    };
     Random random(setClayDict.getOrDefault<label>("seed", 1));
 
     Cloud<clayPlatelet> cloud(mesh, "clay", IDLList<clayPlatelet>());
@@ -85,7 +81,7 @@ int main(int argc, char *argv[])
         {
             colloid::checkChoice
             (
-                setClayDict, group.keyword(), group.keyword(), wordList({"seed"})
+                setClayDict, group.keyword(), group.keyword(), wordList({"seed", "featureSize"})
             );
             continue;
         }
