@@ -104,6 +104,15 @@ TEST(plateletFriction, aFixedFractionReplacesTheLocalOne)
         newFriction("KozenyCarman", "Kozeny 5; fraction 0.01;");
 
     EXPECT_TRUE(local->varies());
+    EXPECT_EQ(fixed->slope(0.3), 0);
+
+    // Fourth-order difference
+    const scalar h = 1e-3;
+    const auto f = [&](int i) { return local->value(0.3 + i*h); };
+    EXPECT_NEAR
+    (
+        (8*(f(1) - f(-1)) - f(2) + f(-2))/(12*h)/local->slope(0.3), 1, 1e-9
+    );
     EXPECT_FALSE(fixed->varies());
     EXPECT_EQ(fixed->value(0.5), local->value(0.01));
     EXPECT_GT(local->value(0.5), local->value(0.01));
