@@ -348,7 +348,18 @@ double engine::implementation::stiffness()
     {
         const stopwatch timing(counters_.stiffnessSeconds);
         std::vector<springs> all(local_.size(), springs::Zero());
-        kernel_->addStiffness(near_.points(), near_.pairs(), all);
+        local_.nearest.assign
+        (
+            local_.size(), settings_.cutOff*settings_.cutOff
+        );
+        kernel_->addStiffness
+        (
+            near_.points(), near_.pairs(), all, local_.nearest
+        );
+        for (double& distance : local_.nearest)
+        {
+            distance = std::sqrt(distance);
+        }
         near_.onWalls().addStiffness
         (
             near_.walls(), near_.points(), *force_, all

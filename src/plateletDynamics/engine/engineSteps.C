@@ -261,19 +261,23 @@ double engine::implementation::errorOverTolerance
     const std::vector<vector>& error
 )
 {
+    const double scale = moveScale();
     double largest = 0;
     for (std::size_t k = 0; k < error.size(); ++k)
     {
         if (!local_.fixed[k])
         {
-            largest = std::max(largest, error[k].norm());
+            // In units of the local spacing, not less than the mean of the start
+            const double unit =
+                std::min(std::max(local_.nearest[k], scale), settings_.cutOff);
+            largest = std::max(largest, error[k].norm()/unit);
         }
     }
     if (wentTooFar_)
     {
         largest = std::numeric_limits<double>::infinity();
     }
-    return ranks_.max(largest)/(settings_.stepTolerance*moveScale());
+    return ranks_.max(largest)/settings_.stepTolerance;
 }
 
 

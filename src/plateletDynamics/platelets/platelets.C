@@ -61,6 +61,7 @@ void platelets::reorder(const std::vector<int>& order)
     reorderOne(previousVelocity, order);
     reorderOne(previousStep, order);
     reorderOne(mobilitySlope, order);
+    reorderOne(nearest, order);
     reorderOne(sinceChoice, order);
     reorderOne(crossings, order);
     reorderOne(force, order);
