@@ -63,6 +63,15 @@ void Foam::clayCloud::updateEngine(const volVectorField& Uwater)
 }
 
 
+namespace
+{
+
+//- Engine steps in a flow step beyond which a user is warned
+constexpr Foam::scalar manySteps = 1e6;
+
+} // End anonymous namespace
+
+
 void Foam::clayCloud::sampleDrag(const volVectorField& Uwater)
 {
     plateletDynamics::platelets& local = engine_->local();
@@ -141,11 +150,10 @@ void Foam::clayCloud::sampleFriction()
 void Foam::clayCloud::checkEngineStep(const scalar deltaT)
 {
     const word integrator(engine_->integratorName());
-    const scalar step = min(properties_.engineDeltaT(), deltaT);
 
     if
     (
-        stepChecked_ || step <= 0
+        stepChecked_
      || (
             integrator != "Euler"
          && integrator != "AdamsBashforth2"
@@ -159,10 +167,19 @@ void Foam::clayCloud::checkEngineStep(const scalar deltaT)
 
     const reducedUnits& units = interactions_.units();
     scalar limit = 0;
+    scalar chosen = 0;
     asFatalError
     (
-        units, [&]{ limit = engine_->stabilityLimit()*units.time(); }
+        units,
+        [&]
+        {
+            limit = engine_->stabilityLimit()*units.time();
+            chosen = engine_->stableDeltaT()*units.time();
+        }
     );
+
+    const scalar asked = properties_.engineDeltaT();
+    const scalar step = min(asked > 0 ? asked : chosen, deltaT);
 
     if (step > limit)
     {
@@ -172,6 +189,16 @@ void Foam::clayCloud::checkEngineStep(const scalar deltaT)
             << "    platelets may jump to and fro, ever farther. A smaller"
             << " engineDeltaT, or integrator auto (clayCloudProperties)" << nl
             << endl;
+    }
+    if (deltaT > manySteps*step)
+    {
+        WarningInFunction
+            << "A flow step of " << deltaT << " s takes about " << deltaT/step
+            << " engine steps of " << step << " s." << nl
+            << "    Platelets overlap, or touch where attraction holds them"
+            << " (clayScales shows the stiffness in contact):" << nl
+            << "    place them apart, or enlarge contactGap (clayProperties)"
+            << nl << endl;
     }
 }
 
