@@ -24,8 +24,18 @@ constexpr double largestMove = 0.25;
 //  Not when lists are made: that depends on the number of ranks
 constexpr double holdsFor = 0.05;
 
-//- The same of random motion, of what a platelet has come from where it was
+//- The same of random motion, of what a platelet has come from where it was; and
+//  over the length on which the strongest force changes, speed over rate, where
+//  stiffness decides
 constexpr double randomHoldsFor = 0.2;
+constexpr double lengthsHeld = 3;
+
+//- Speed over that of the stiffest motion in thermal equilibrium, sqrt(rate D),
+//  beyond which platelets are far from it; and the share of the integrator's limit
+//  with which they then come to rest without overshoot, from where they might not
+//  return
+constexpr double farFromRest = 10;
+constexpr double withoutOvershoot = 0.25;
 
 //- The same of the rate that adaptive integrators use, whose estimate of the
 //  error would notice if it has grown
@@ -64,8 +74,7 @@ double engine::implementation::stabilityLimit()
 
 double engine::implementation::stableDeltaT()
 {
-    const double byStiffness =
-        stiffness()/(integrator_->shareOfLimit()*integrator_->realAxisLimit());
+    const double rate = stiffness();
 
     double fastest[2] = {0, 0};
     for (std::size_t k = 0; k < local_.size(); ++k)
@@ -79,12 +88,29 @@ double engine::implementation::stableDeltaT()
     }
     ranks_.max(fastest, 2);
 
-    // Of the diffusivity: (random displacement)^2 = 2 D step
+    const double diffusivity = settings_.thermalEnergy*fastest[1];
+    const bool falling =
+        isRandom()
+     && fastest[0] > farFromRest*std::sqrt(rate*diffusivity);
+
+    const double byStiffness =
+        rate
+       /(
+            integrator_->realAxisLimit()
+           *(falling ? withoutOvershoot : integrator_->shareOfLimit())
+        );
+
+    // (random displacement)^2 = 2 D step
     const double byNoise =
         settings_.thermalStep > 0
-      ? 2*settings_.thermalEnergy*fastest[1]
-       /(settings_.thermalStep*settings_.thermalStep)
+      ? 2*diffusivity/(settings_.thermalStep*settings_.thermalStep)
       : 0;
+
+    holdsWithin_ = randomHoldsFor*moveScale();
+    if (byStiffness > byNoise)
+    {
+        holdsWithin_ = std::min(holdsWithin_, lengthsHeld*fastest[0]/rate);
+    }
 
     return inverse
     (
@@ -127,7 +153,7 @@ bool engine::implementation::choiceHolds(double deltaT)
     ranks_.max(farthest, 2);
 
     return
-        std::sqrt(farthest[0]) <= randomHoldsFor*moveScale()
+        std::sqrt(farthest[0]) <= holdsWithin_
      && deltaT*farthest[1] <= largestMove*moveScale();
 }
 
