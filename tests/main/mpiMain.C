@@ -6,7 +6,7 @@ Description
     The main of GoogleTest tests that need MPI but no OpenFOAM, alone or under
     mpirun. In Make/files:
 
-        ../main/mpiMain.C
+        $(BENTOFOAM_DIR)/tests/main/mpiMain.C
 
     and in Make/options `$(BENTOFOAM_TEST_LIBS)` after the tested libraries.
 

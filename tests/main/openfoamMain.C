@@ -11,7 +11,7 @@ Description
     FatalError and FatalIOError throw (EXPECT_THROW(..., Foam::error)).
     OpenFOAM's floating-point traps are on. In Make/files:
 
-        ../main/openfoamMain.C
+        $(BENTOFOAM_DIR)/tests/main/openfoamMain.C
 
     and in Make/options `$(BENTOFOAM_TEST_LIBS)` after the tested libraries.
 
