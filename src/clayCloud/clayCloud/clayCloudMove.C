@@ -39,7 +39,9 @@ void Foam::clayCloud::updateEngine(const volVectorField& Uwater)
 
     const bool changed = interactions_.reconsider
     (
-        now, spacing, Foam::sqrt(gMax(magSqr(Uwater.primitiveField())()))
+        now,
+        spacing,
+        [&]{ return Foam::sqrt(gMax(magSqr(Uwater.primitiveField())())); }
     );
 
     if (!changed && !matter_.concentrationVaries())

@@ -32,7 +32,7 @@ bool Foam::clayInteractions::reconsider
 (
     const scalar time,
     const scalar spacing,
-    const scalar waterSpeed
+    const std::function<scalar()>& waterSpeed
 )
 {
     using choice = cloudProperties::choice;
@@ -47,7 +47,7 @@ bool Foam::clayInteractions::reconsider
         )
      || (
             properties_.effect("drag") == choice::automatic
-         && differ(waterSpeed, state_.decidedSpeed, otherWater)
+         && differ(waterSpeed(), state_.decidedSpeed, otherWater)
         );
 
     if (!changed)
@@ -60,7 +60,7 @@ bool Foam::clayInteractions::reconsider
 
     state_.decidedAt = time;
     state_.decidedSpacing = spacing;
-    state_.decidedSpeed = waterSpeed;
+    state_.decidedSpeed = waterSpeed();
     decide();
 
     Info<< "The scene has changed: mean spacing " << spacing << " m, cut-off "
