@@ -185,12 +185,35 @@ void Foam::clayInteractions::chooseCutOff()
         (
             properties_.maxNeighbours()/(4*constant::mathematical::pi/3)
         );
+        const auto longEnough = [&](const scalar spread, const scalar tolerance)
+        {
+            return spread*colloid::scales::cutOffInSpacings
+            (
+                law, spread*spacing, thickness(), tolerance
+            );
+        };
+
+        // Also of clay that has spread, as at the edge of a gel, where a larger
+        // share of the pressure is beyond a distance; of what is left of it
+        // next to n kT where platelets move at random
+        const scalar spread = 1.5;
+        const scalar thermalOverForce =
+            BrownianOn_
+          ? state_.coarseGraining
+           *matter_.waterAt(state_.decidedAt).thermalEnergy()
+           /(
+                spread*spacing
+               *max(mag(law.force(spread*spacing - thickness())), VSMALL)
+            )
+          : 0;
+        const scalar tolerance = properties_.tolerance();
         const scalar spacings = min
         (
             furthest,
-            colloid::scales::cutOffInSpacings
+            max
             (
-                law, spacing, thickness(), properties_.tolerance()
+                longEnough(1, tolerance),
+                longEnough(spread, tolerance*(1 + thermalOverForce))
             )
         );
 
