@@ -251,7 +251,7 @@ void Foam::clayInteractions::chooseEngine()
     const scalar tolerance = properties_.tolerance();
     settings_.tableTolerance = max(1e-3*tolerance, min(1e-5, 1e-2*tolerance));
     settings_.integrator = properties_.integrator();
-    settings_.stepTolerance = 1e-2*properties_.tolerance();
+    settings_.stepTolerance = 1e-1*properties_.tolerance();
     settings_.deltaT =
         max(properties_.engineDeltaT(), scalar(0))/units_->time();
     settings_.bodyForce = reduced(weight_, units_->force());
