@@ -416,6 +416,76 @@ TEST(brownian, restartsWithTheSameBits)
 }
 
 
+TEST(brownian, isAnotherPathWithAnotherSeed)
+{
+    constexpr int count = 500;
+    const platelets all(freeOnes(count, 40));
+    std::vector<std::vector<vector>> ends;
+    for (const std::uint64_t seed : {5, 6})
+    {
+        engineSettings chosen(settings(0.02));
+        chosen.seed = seed;
+        engine system
+        (
+            periodicBox(), {}, std::make_shared<noForce>(), chosen,
+            MPI_COMM_WORLD
+        );
+        system.load(share(all));
+        system.advance(0.5);
+        ends.push_back(positions(system, count));
+    }
+
+    double sum = 0;
+    double squares = 0;
+    for (int k = 0; k < count; ++k)
+    {
+        sum += (ends[0][k] - all.position[k]).dot(ends[1][k] - all.position[k]);
+        squares += (ends[0][k] - all.position[k]).squaredNorm();
+    }
+    EXPECT_LT(std::abs(sum/squares), 4/std::sqrt(3.0*count));
+}
+
+
+TEST(brownian, doesNotRepeatItselfAfterAPause)
+{
+    constexpr int count = 500;
+    const platelets all(freeOnes(count, 40));
+    const engineSettings random(settings(0.02));
+    engineSettings still(random);
+    still.thermalEnergy = 0;
+    const auto none = std::make_shared<noForce>();
+
+    engine system(periodicBox(), {}, none, random, MPI_COMM_WORLD);
+    system.load(share(all));
+    system.advance(0.5);
+    const auto before = positions(system, count);
+    system.change(none, still);
+    system.advance(0.5);
+    EXPECT_EQ(largestDifference(before, positions(system, count)), 0);
+
+    // Nor if it was stopped in the pause
+    engine restarted(periodicBox(), {}, none, still, MPI_COMM_WORLD);
+    restarted.setIntegratorMemory(system.integratorMemory());
+    restarted.load(system.local());
+    restarted.change(none, random);
+    restarted.advance(0.5);
+    system.change(none, random);
+    system.advance(0.5);
+    const auto after = positions(system, count);
+    EXPECT_EQ(largestDifference(after, positions(restarted, count)), 0);
+
+    double sum = 0;
+    double squares = 0;
+    for (int k = 0; k < count; ++k)
+    {
+        sum += (before[k] - all.position[k]).dot(after[k] - before[k]);
+        squares += (after[k] - before[k]).squaredNorm();
+    }
+    EXPECT_LT(std::abs(sum/squares), 4/std::sqrt(3.0*count));
+    EXPECT_GT(squares, 0);
+}
+
+
 TEST(brownian, asksForAnIntegratorThatDoesIt)
 {
     engineSettings chosen(settings(0));

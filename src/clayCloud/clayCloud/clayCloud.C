@@ -145,18 +145,15 @@ Foam::clayCloud::clayCloud
         }
     );
     engine_->setSkinUse(state_.skinUse);
-    // Of another integrator, memory and histories mean something else
-    if (state_.integrator == engine_->integratorName())
-    {
-        engine_->setIntegratorMemory
+    engine_->setIntegratorMemory
+    (
+        std::vector<double>
         (
-            std::vector<double>
-            (
-                state_.integratorMemory.begin(), state_.integratorMemory.end()
-            )
-        );
-    }
-    else
+            state_.integratorMemory.begin(), state_.integratorMemory.end()
+        )
+    );
+    // Of another integrator histories mean something else
+    if (state_.integrator != engine_->integratorName())
     {
         for (clayPlatelet& platelet : *this)
         {
@@ -393,18 +390,17 @@ void Foam::clayCloud::report(Ostream& os, costReport& cost) const
     );
     cost.add("choosing steps", counters.stiffnessSeconds, "platelets");
     cost.add("other ranks", counters.haloSeconds, "platelets");
-    if (counters.randomSeconds > 0)
+    // Those that were on at some time, on any rank
+    const auto addEffect = [&](const char* name, const double seconds)
     {
-        cost.add("Brownian", counters.randomSeconds, "platelets");
-    }
-    if (dragSeconds_ > 0)
-    {
-        cost.add("drag", dragSeconds_, "platelets");
-    }
-    if (frictionSeconds_ > 0)
-    {
-        cost.add("localFraction", frictionSeconds_, "platelets");
-    }
+        if (returnReduce(scalar(seconds), maxOp<scalar>()) > 0)
+        {
+            cost.add(name, seconds, "platelets");
+        }
+    };
+    addEffect("Brownian", counters.randomSeconds);
+    addEffect("drag", dragSeconds_);
+    addEffect("localFraction", frictionSeconds_);
 
     const scalar contacts =
         returnReduce(scalar(counters.contacts), sumOp<scalar>());

@@ -126,23 +126,24 @@ void Foam::clayCloud::sampleFriction()
         const clayPlatelet& platelet = *platelets_[local.tag[i]];
         const label celli = platelet.cell();
         const vector fromCentre(platelet.position() - mesh_.C()[celli]);
-        const scalar alpha = min
-        (
-            max(alpha_[celli] + (fromCentre & gradAlpha()[celli]), scalar(0)),
-            scalar(0.99)
-        );
+        const scalar linear =
+            alpha_[celli] + (fromCentre & gradAlpha()[celli]);
+        const scalar alpha = min(max(linear, scalar(0)), scalar(0.99));
 
         local.friction[i] = interactions_.friction(alpha)/units.friction();
 
         if (interactions_.Brownian())
         {
+            // None where the friction no longer follows
             local.mobilitySlope.push_back
             (
-                reduced
+                alpha == linear
+              ? reduced
                 (
                     interactions_.mobilitySlope(alpha)*gradAlpha()[celli],
                     1/units.length()
                 )
+              : plateletDynamics::vector(0, 0, 0)
             );
         }
     }
@@ -197,10 +198,12 @@ void Foam::clayCloud::checkEngineStep(const scalar deltaT)
         WarningInFunction
             << "A flow step of " << deltaT << " s takes about " << deltaT/step
             << " engine steps of " << step << " s." << nl
-            << "    Platelets overlap, or touch where attraction holds them"
-            << " (clayScales shows the stiffness in contact):" << nl
-            << "    place them apart, or enlarge contactGap (clayProperties)"
-            << nl << endl;
+            << "    Where platelets overlap or stick together: place them apart,"
+            << " or enlarge contactGap (clayProperties)." << nl
+            << "    Where they move at random in salty water: steps are short"
+            << " against the Debye length;" << nl
+            << "    doubleLayer auto (clayCloudProperties) leaves that out where"
+            << " it does not count" << nl << endl;
     }
 }
 

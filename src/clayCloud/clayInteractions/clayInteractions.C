@@ -185,37 +185,32 @@ void Foam::clayInteractions::chooseCutOff()
         (
             properties_.maxNeighbours()/(4*constant::mathematical::pi/3)
         );
-        const auto longEnough = [&](const scalar spread, const scalar tolerance)
-        {
-            return spread*colloid::scales::cutOffInSpacings
-            (
-                law, spread*spacing, thickness(), tolerance
-            );
-        };
-
-        // Also of clay that has spread, as at the edge of a gel, where a larger
-        // share of the pressure is beyond a distance; of what is left of it
-        // next to n kT where platelets move at random
-        const scalar spread = 1.5;
-        const scalar thermalOverForce =
+        const scalar thermalEnergy =
             BrownianOn_
           ? state_.coarseGraining
            *matter_.waterAt(state_.decidedAt).thermalEnergy()
-           /(
-                spread*spacing
-               *max(mag(law.force(spread*spacing - thickness())), VSMALL)
-            )
           : 0;
-        const scalar tolerance = properties_.tolerance();
-        const scalar spacings = min
-        (
-            furthest,
-            max
+
+        // For clay that has spread by a factor: the tolerance of its pressure,
+        // with n kT where platelets move at random
+        const auto longEnough = [&](const scalar spread)
+        {
+            const scalar distance = spread*spacing;
+            const scalar work =
+                distance*mag(law.force(distance - thickness()));
+
+            return spread*colloid::scales::cutOffInSpacings
             (
-                longEnough(1, tolerance),
-                longEnough(spread, tolerance*(1 + thermalOverForce))
-            )
-        );
+                law,
+                distance,
+                thickness(),
+                properties_.tolerance()*(1 + thermalEnergy/max(work, VSMALL))
+            );
+        };
+
+        // Also as at the edge of a gel, where a larger share is beyond
+        const scalar spacings =
+            min(furthest, max(longEnough(1), longEnough(1.5)));
 
         // The taper of the last tenth takes about half of what is there
         cutOff_ = min(max(spacings, scalar(1.5))/0.95*spacing, halfPeriod);
@@ -277,7 +272,8 @@ void Foam::clayInteractions::chooseEngine()
             )
           : state_.decidedSpacing;
         settings_.thermalStep =
-            pow(properties_.tolerance(), 0.25)*length/units_->length();
+            min(pow(properties_.tolerance(), 0.25)*length, 0.1*cutOff_)
+           /units_->length();
     }
 }
 
@@ -394,6 +390,8 @@ void Foam::clayInteractions::print
            )
         << ", engineDeltaT "
         << said(properties_.engineDeltaT()) << nl
+        << "    seed             " << properties_.seed()
+        << (BrownianOn_ ? "" : " (not in use)") << nl
         << "    filter length    " << filterLength() << " m ("
         << said(properties_.filterLength()) << "), time scale "
         << properties_.filterTimeScale() << " s" << nl

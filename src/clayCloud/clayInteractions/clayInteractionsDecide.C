@@ -8,6 +8,7 @@
 #include "pairInteraction.H"
 #include "scales.H"
 #include "Time.H"
+#include "vanDerWaals.H"
 
 namespace
 {
@@ -57,13 +58,18 @@ bool Foam::clayInteractions::reconsider
 
     const effectTable before(effects_);
     const scalar cutOffBefore = cutOff_;
+    const scalar spacingBefore = state_.decidedSpacing;
+    const scalar timeBefore = state_.decidedAt;
 
     state_.decidedAt = time;
     state_.decidedSpacing = spacing;
     state_.decidedSpeed = waterSpeed();
     decide();
 
-    Info<< "The scene has changed: mean spacing " << spacing << " m, cut-off "
+    Info<< "At " << time << " s the scene has changed: mean spacing "
+        << spacingBefore << " -> " << spacing << " m, concentration "
+        << matter_.waterAt(timeBefore).concentration << " -> "
+        << matter_.waterAt(time).concentration << " mol/m3, cut-off "
         << cutOffBefore << " -> " << cutOff_ << " m" << nl;
     effects_.printChanges(Info, before);
     return true;
@@ -101,44 +107,50 @@ void Foam::clayInteractions::decideEffects()
     const colloid::scales scales(clay, water, *repulsion, *Stokes);
     const scalar fraction = fractionAt(state_.decidedSpacing);
 
+    // Attraction counts where platelets come nearer than the mean, and where they
+    // have spread, next to the double layer and to random motion; and wherever
+    // nothing keeps platelets from sticking together
+    const scalar thermalForce = water.thermalEnergy()/scales.spacing(fraction);
+    scalar attraction =
+        colloid::coagulation(matter_, properties_.doubleLayerDict())
+       .negative(water.concentration).found
+      ? 1 : 0;
+    for (const scalar spacings : {0.5, 1.0, 1.5})
+    {
+        const scalar gap = max
+        (
+            spacings*scales.spacing(fraction) - clay.thickness,
+            clay.contactGap
+        );
+        attraction = max
+        (
+            attraction,
+            colloid::vanDerWaals(clay).force(gap)
+           /max
+            (
+                repulsion->force(gap),
+                properties_.effect("Brownian") == choice::off
+              ? VSMALL : thermalForce
+            )
+        );
+    }
+    vanDerWaalsOn_ = effects_.decide
+    (
+        "vanDerWaals",
+        properties_.effect("vanDerWaals"),
+        "F_vdW/max(F_DDL, kT/spacing)",
+        attraction,
+        tolerance
+    );
+
+    // Where there is attraction, what holds it off counts
     const scalar byRepulsion = scales.doubleLayerOverThermal(fraction);
     doubleLayerOn_ = effects_.decide
     (
         "doubleLayer",
         properties_.effect("doubleLayer"),
         "its pressure/(n kT)",
-        byRepulsion,
-        tolerance
-    );
-
-    // Where platelets come nearer than the mean, and where they have spread.
-    // Next to a repulsion that counts less than kT it counts less too
-    scalar attraction = 0;
-    for (const scalar spacings : {0.5, 1.0, 1.5})
-    {
-        attraction = max
-        (
-            attraction,
-            scales.vanDerWaalsOverDoubleLayer
-            (
-                max
-                (
-                    spacings*clay.cubicSpacing(fraction) - clay.thickness,
-                    clay.contactGap
-                )
-            )
-        );
-    }
-    if (properties_.effect("doubleLayer") == choice::automatic)
-    {
-        attraction *= min(byRepulsion, scalar(1));
-    }
-    vanDerWaalsOn_ = effects_.decide
-    (
-        "vanDerWaals",
-        properties_.effect("vanDerWaals"),
-        "F_vdW/F_DDL, 0.5-1.5 spacings",
-        attraction,
+        vanDerWaalsOn_ ? max(byRepulsion, scalar(1)) : byRepulsion,
         tolerance
     );
     if (vanDerWaalsOn_)
@@ -150,9 +162,8 @@ void Foam::clayInteractions::decideEffects()
 
     const scalar force =
         mag(pairLaw(time).force(state_.decidedSpacing - thickness()));
-    const scalar thermalForce =
-        alpha*water.thermalEnergy()/state_.decidedSpacing;
-    const scalar against = max(force, thermalForce);
+    const scalar against =
+        max(force, alpha*water.thermalEnergy()/state_.decidedSpacing);
 
     dragOn_ = effects_.decide
     (
@@ -185,7 +196,10 @@ void Foam::clayInteractions::decideBrownian(const scalar measure)
     const choice said = properties_.effect("Brownian");
     const word integrator(properties_.integrator());
     const bool canDo =
-        integrator == "auto" || integrator == "LeimkuhlerMatthews";
+        integrator != "Euler"
+     && integrator != "AdamsBashforth2"
+     && integrator != "RKC2"
+     && integrator != "BogackiShampine";
 
     if (said == choice::automatic && !canDo)
     {
@@ -279,6 +293,6 @@ void Foam::clayInteractions::decideFriction()
         packing,
         properties_.tolerance(),
         friction_->varies(),
-        model == "auto" && !KozenyCarmanOn ? "auto" : "user"
+        model == "auto" && !KozenyCarmanOn ? "auto" : "friction"
     );
 }

@@ -106,11 +106,8 @@ Foam::cloudProperties::cloudProperties(const Time& runTime)
         section("filter"), wordList({"kernel", "length", "timeScale"})
     );
 
-    const dictionary solution(section("solution"));
-    solution.getCheckOrDefault<scalar>
-    (
-        "tolerance", 1e-2, [](scalar t) { return t > 0 && t < 1; }
-    );
+    tolerance();
+    seed();
 
     colloid::checkChoice
     (
@@ -171,7 +168,10 @@ Foam::scalar Foam::cloudProperties::engineDeltaT() const
 
 Foam::scalar Foam::cloudProperties::tolerance() const
 {
-    return section("solution").getOrDefault<scalar>("tolerance", 1e-2);
+    return colloid::readInRange
+    (
+        section("solution"), "tolerance", 1e-2, 1e-12, 0.999, "(-)"
+    );
 }
 
 
@@ -211,9 +211,9 @@ Foam::label Foam::cloudProperties::maxNeighbours() const
 
 Foam::label Foam::cloudProperties::seed() const
 {
-    return section("solution").getCheckOrDefault<label>
+    return label
     (
-        "seed", 1, [](label n) { return n >= 0; }
+        colloid::readInRange(section("solution"), "seed", 1, 0, labelMax, "(-)")
     );
 }
 

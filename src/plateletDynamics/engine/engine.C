@@ -148,7 +148,7 @@ double engine::skin() const
 
 std::vector<double> engine::integratorMemory() const
 {
-    return implementation_->steps().memory();
+    return implementation_->integratorMemory();
 }
 
 
@@ -160,7 +160,7 @@ std::string engine::integratorName() const
 
 void engine::setIntegratorMemory(const std::vector<double>& memory)
 {
-    implementation_->steps().remember(memory);
+    implementation_->setIntegratorMemory(memory);
 }
 
 } // End namespace plateletDynamics

@@ -112,7 +112,11 @@ void engine::implementation::change
      || settings.seed != settings_.seed
     )
     {
+        // Random numbers go on where they were, lest a path repeats itself
+        draws_ = integratorMemory().back();
+        settings_ = settings;
         integrator_ = integrator::New(settings);
+        setIntegratorMemory({draws_});
         local_.previousStep.assign(local_.size(), 0);
     }
     settings_ = settings;
@@ -125,6 +129,37 @@ void engine::implementation::change
     kernel_ = pairKernel::New(*force_, settings_, loops_);
     near_.setRange(settings_.cutOff, force_->wallCutOff(), settings_.skin);
     listsExpire();
+}
+
+
+std::vector<double> engine::implementation::integratorMemory() const
+{
+    std::vector<double> memory(integrator_->memory());
+
+    // The memory of random motion is the number of its draws
+    if (!isRandom())
+    {
+        memory.push_back(draws_);
+    }
+    return memory;
+}
+
+
+void engine::implementation::setIntegratorMemory
+(
+    const std::vector<double>& memory
+)
+{
+    if (memory.empty())
+    {
+        return;
+    }
+    draws_ = memory.back();
+    integrator_->remember
+    (
+        isRandom() ? std::vector<double>{draws_}
+      : std::vector<double>(memory.begin(), memory.end() - 1)
+    );
 }
 
 

@@ -139,6 +139,11 @@ bool engine::implementation::choiceHolds(double deltaT)
         return travelled_ <= holdsFor*moveScale();
     }
 
+    if (settings_.deltaT > 0)
+    {
+        return true;
+    }
+
     double farthest[2] = {0, 0};
     for (std::size_t k = 0; k < local_.size(); ++k)
     {

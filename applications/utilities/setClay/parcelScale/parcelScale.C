@@ -8,6 +8,8 @@
 #include "scales.H"
 #include "Time.H"
 
+#include <cmath>
+
 namespace
 {
 
@@ -112,11 +114,12 @@ Foam::scalar Foam::parcelScale
         << "    clay " << fewest << " spacings of platelets wide, tolerance "
         << tolerance << ": swelling errs by about "
         << errorPerLayer*(alpha - 1)/fewest << " (1.4 (alpha - 1)/spacings)"
-        << nl << "    " << platelets/pow3(alpha) << " parcels for " << platelets
-        << " platelets; evaluations in a second of the clay's" << nl
-        << "    time " << 1/(sqr(alpha)*step) << " for " << 1/step
-        << " (fixed step of Adams-Bashforth 2): " << pow5(alpha)
-        << " times less work" << nl;
+        << nl << "    about " << label(platelets/pow3(alpha)) << " parcels for "
+        << label(platelets) << " platelets, but for whole spacings of a lattice" << nl
+        << "    about " << label(1/(sqr(alpha)*step)) << " evaluations per second"
+        << " of the clay's time for " << label(1/step) << nl
+        << "    (fixed step of Adams-Bashforth 2), in all "
+        << 0.1*std::round(10*pow5(alpha)) << " times less work" << nl;
 
     return alpha;
 }
