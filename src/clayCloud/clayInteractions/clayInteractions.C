@@ -309,7 +309,7 @@ Foam::clayInteractions::force(const scalar time) const
 std::string Foam::clayInteractions::forcesAre() const
 {
     return
-        doubleLayerOn_ && vanDerWaalsOn_ ? "doubleLayer, vanDerWaals"
+        doubleLayerOn_ && vanDerWaalsOn_ ? "doubleLayer and vdW"
       : doubleLayerOn_ ? "doubleLayer"
       : vanDerWaalsOn_ ? "vanDerWaals" : "forces";
 }

@@ -127,7 +127,7 @@ void Foam::costReport::report
         << (ranks == 1 ? " rank" : " ranks") << nl;
     std::snprintf
     (
-        line, sizeof(line), "    %-34s %12s %12s %8s",
+        line, sizeof(line), "    %-28s %12s %12s %8s",
         "part", "slowest [s]", "mean [s]", "share"
     );
     os  << line << nl;
@@ -137,7 +137,7 @@ void Foam::costReport::report
     {
         std::snprintf
         (
-            line, sizeof(line), "    %-34.34s %12.3f %12.3f %6.1f %%",
+            line, sizeof(line), "    %-28.28s %12.3f %12.3f %6.1f %%",
             name.c_str(), slowest, mean, 100*mean/max(total, VSMALL)
         );
         os  << line << nl;
