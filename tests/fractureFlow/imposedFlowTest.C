@@ -250,6 +250,33 @@ TEST(localViscosity, cyclicSidesWork)
 }
 
 
+// Cells of micrometres that are not aligned to the last digit
+TEST(localViscosity, waterWithoutClayFlowsAsIfUndisturbed)
+{
+    boxSpec spec = rim(25, 25, 2.5e-6);
+    spec.cells[2] = 6;
+    spec.size.z() = 1.5e-6;
+    spec.types = {"cyclic", "cyclic", "patch", "patch", "cyclic", "cyclic"};
+    spec.map = [](const vector& x)
+    {
+        return x + 1e-15*std::sin(1e3*(x.x() + 2*x.y() + 3*x.z()))*x;
+    };
+    flowCase c(spec);
+    c.setViscosity([](const vector&) { return 1; });
+    auto flow = c.newFlow
+    (
+        "model localViscosity;"
+        "localViscosityCoeffs { U (1e-3 0 0); gelPatch gel; }"
+    );
+    flow->solve();
+
+    EXPECT_LT
+    (
+        gMax(mag(flow->U().primitiveField() - vector(1e-3, 0, 0))()), 1e-13
+    );
+}
+
+
 // Columns that spread and lean, cells of different heights, three dimensions
 TEST(localViscosity, bentColumnsAreDivergenceFree)
 {

@@ -8,7 +8,6 @@
 #include "checkWords.H"
 #include "readInRange.H"
 #include "linear.H"
-#include "fvcReconstruct.H"
 #include "fvcSurfaceIntegrate.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -85,9 +84,27 @@ void Foam::fractureFlows::localViscosityFlow::checkAlongGel
 
 void Foam::fractureFlows::localViscosityFlow::reconstructU()
 {
-    URef() == fvc::reconstruct(phi());
+    // As fvc::reconstruct, which puts the product over one of its factors: on a
+    // mesh that is not aligned to the last digit, components of U then come out
+    // of those that are there already (GCC 12; a thousandth of U wrong)
+    const surfaceVectorField normals(mesh().Sf()/mesh().magSf());
+    const volTensorField shapes(fvc::surfaceSum(normals*mesh().Sf()));
+    const volTensorField inverse(inv(shapes));
+    const volVectorField sums(fvc::surfaceSum(normals*phi()));
 
-    // fvc::reconstruct copies the cell's value to the boundary
+    URef().primitiveFieldRef() =
+        inverse.primitiveField() & sums.primitiveField();
+
+    // The cell's value on the boundary, but for the flux
+    forAll(U().boundaryField(), patchi)
+    {
+        if (!U().boundaryField()[patchi].coupled())
+        {
+            URef().boundaryFieldRef()[patchi] ==
+                U().boundaryField()[patchi].patchInternalField()();
+        }
+    }
+    URef().correctBoundaryConditions();
     volVectorField::Boundary& Ub = URef().boundaryFieldRef();
 
     forAll(Ub, patchi)
