@@ -156,7 +156,8 @@ TEST(brownian, weightIsHeldAgainstDiffusion)
 {
     if (nRanks() > 1)
     {
-        GTEST_SKIP() << "long; isTheSameOnAnyNumberOfRanks";
+        GTEST_SKIP() << "Statistics of a path that is the same on one rank:"
+            << " isTheSameOnAnyNumberOfRanks";
     }
 
     // Above a floor the density falls as exp(-z weight/kT)
@@ -214,7 +215,8 @@ TEST(brownian, freePlateletsStayUniformWhereFrictionVaries)
 {
     if (nRanks() > 1)
     {
-        GTEST_SKIP() << "long; isTheSameOnAnyNumberOfRanks";
+        GTEST_SKIP() << "Statistics of a path that is the same on one rank:"
+            << " isTheSameOnAnyNumberOfRanks";
     }
 
     // Mobility (1 + 0.8 sin(2 pi x))/xi on a period of 1
@@ -277,7 +279,8 @@ TEST(brownian, pairsAreAtEachDistanceAsOftenAsBoltzmannSays)
 {
     if (nRanks() > 1)
     {
-        GTEST_SKIP() << "long; isTheSameOnAnyNumberOfRanks";
+        GTEST_SKIP() << "Statistics of a path that is the same on one rank:"
+            << " isTheSameOnAnyNumberOfRanks";
     }
 
     constexpr int count = 400;

@@ -12,6 +12,15 @@
 
 #include <algorithm>
 
+namespace
+{
+
+//- Engine steps in a flow step beyond which a user is warned
+constexpr Foam::scalar manySteps = 1e6;
+
+} // End anonymous namespace
+
+
 Foam::scalar Foam::clayCloud::meanFraction() const
 {
     scalar sum = 0;
@@ -63,15 +72,6 @@ void Foam::clayCloud::updateEngine(const volVectorField& Uwater)
         Info<< "Pair kernel: " << engine_->kernelName().c_str() << endl;
     }
 }
-
-
-namespace
-{
-
-//- Engine steps in a flow step beyond which a user is warned
-constexpr Foam::scalar manySteps = 1e6;
-
-} // End anonymous namespace
 
 
 void Foam::clayCloud::sampleDrag(const volVectorField& Uwater)

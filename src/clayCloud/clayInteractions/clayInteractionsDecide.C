@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "clayInteractions.H"
-#include "coagulation.H"
 #include "pairInteraction.H"
 #include "scales.H"
 #include "Time.H"
@@ -111,10 +110,10 @@ void Foam::clayInteractions::decideEffects()
     // have spread, next to the double layer and to random motion; and wherever
     // nothing keeps platelets from sticking together
     const scalar thermalForce = water.thermalEnergy()/scales.spacing(fraction);
-    scalar attraction =
+    const auto negative =
         colloid::coagulation(matter_, properties_.doubleLayerDict())
-       .negative(water.concentration).found
-      ? 1 : 0;
+       .negative(water.concentration);
+    scalar attraction = negative.found ? 1 : 0;
     for (const scalar spacings : {0.5, 1.0, 1.5})
     {
         const scalar gap = max
@@ -155,7 +154,7 @@ void Foam::clayInteractions::decideEffects()
     );
     if (vanDerWaalsOn_)
     {
-        warnOfCoagulation(water.concentration);
+        warnOfCoagulation(water.concentration, negative);
     }
 
     decideBrownian(scales.thermalOverForce(fraction));
@@ -234,12 +233,12 @@ void Foam::clayInteractions::decideBrownian(const scalar measure)
 }
 
 
-void Foam::clayInteractions::warnOfCoagulation(const scalar concentration) const
+void Foam::clayInteractions::warnOfCoagulation
+(
+    const scalar concentration,
+    const colloid::coagulation::range& negative
+) const
 {
-    const auto negative =
-        colloid::coagulation(matter_, properties_.doubleLayerDict())
-       .negative(concentration);
-
     if (negative.found)
     {
         WarningInFunction

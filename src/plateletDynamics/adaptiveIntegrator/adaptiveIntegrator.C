@@ -22,9 +22,6 @@ namespace
 //  0.8 of the one before
 constexpr int mostTries = 200;
 
-//- Longest steps of one call beyond which it would never end
-constexpr double tooManySteps = 1e12;
-
 } // End namespace
 
 

@@ -174,7 +174,8 @@ void engine::implementation::check(const platelets& loaded) const
             loaded.tag.size(), loaded.position.size(),
             loaded.waterVelocity.size(), loaded.friction.size(),
             loaded.fixed.size(), loaded.previousVelocity.size(),
-            loaded.previousStep.size(), loaded.crossings.size()
+            loaded.previousStep.size(), loaded.crossings.size(),
+            loaded.mobilitySlope.empty() ? n : loaded.mobilitySlope.size()
         }
     )
     {
@@ -182,14 +183,6 @@ void engine::implementation::check(const platelets& loaded) const
         {
             throw userError("The arrays of the platelets differ in length");
         }
-    }
-    if
-    (
-        loaded.mobilitySlope.size() != 0
-     && loaded.mobilitySlope.size() != n
-    )
-    {
-        throw userError("The arrays of the platelets differ in length");
     }
 
     for (std::size_t k = 0; k < n; ++k)

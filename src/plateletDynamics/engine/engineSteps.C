@@ -41,9 +41,6 @@ constexpr double withoutOvershoot = 0.25;
 //  error would notice if it has grown
 constexpr double rateHoldsFor = 0.2;
 
-//- Steps of one call beyond which it would never end
-constexpr double tooManySteps = 1e12;
-
 //- Time from rate, where no rate means no limit
 double inverse(double rate)
 {
@@ -179,14 +176,14 @@ std::int64_t engine::implementation::stepsFor(double duration)
     const double step =
         settings_.deltaT > 0 ? settings_.deltaT : stableDeltaT();
 
-    if (duration/tooManySteps > step)
+    if (duration/integrator::tooManySteps > step)
     {
         throw userError
         (
             text
             (
                 "A duration of ", duration, " in steps of ", step,
-                " would take more than ", tooManySteps, " steps"
+                " would take more than ", integrator::tooManySteps, " steps"
             )
         );
     }
