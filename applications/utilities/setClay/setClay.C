@@ -96,7 +96,10 @@ int main(int argc, char *argv[])
             what.x = x;
             what.id = cloud.size();
             what.fixed = fixed;
-            cloud.addParticle(new clayPlatelet(mesh, what, mesh.findCell(x)));
+            cloud.addParticle
+            (
+                new clayPlatelet(mesh, x, mesh.findCell(x), what)
+            );
         }
 
         Info<< "    " << group.keyword() << ": " << places.size()
@@ -110,7 +113,13 @@ int main(int argc, char *argv[])
         }
     }
 
-    if (cloud.size() == 0)
+    const scalar inletFraction = properties.largestInletFraction();
+    if (inletFraction > 0)
+    {
+        smallestSpacing =
+            min(smallestSpacing, Foam::cbrt(scene.parcelVolume/inletFraction));
+    }
+    else if (cloud.size() == 0)
     {
         WarningInFunction << "No platelets were placed" << nl << endl;
         smallestSpacing = Foam::cbrt(sum(mesh.V()).value());

@@ -117,6 +117,7 @@ Foam::clayCloud::clayCloud
     Uclay_(cloudField<volVectorField>(mesh, "U.clay", dimVelocity))
 {
     checkState();
+    findInlets();
     clayPlatelet::readFields(*this);
     checkCount(labelList());
     const reducedUnits& units = interactions_.units();
@@ -137,7 +138,7 @@ Foam::clayCloud::clayCloud
             engine_ = std::make_unique<plateletDynamics::engine>
             (
                 space,
-                waterLimits::triangles(mesh, properties_, units.length()),
+                limits(),
                 interactions_.force(mesh.time().value()),
                 interactions_.settings(),
                 Pstream::parRun() ? MPI_COMM_WORLD : MPI_COMM_SELF
@@ -162,7 +163,7 @@ Foam::clayCloud::clayCloud
     }
     load();
 
-    if (state_.entered == 0)
+    if (state_.entered == 0 && inlets_.empty())
     {
         WarningInFunction
             << "There is no clay: setClay placed no platelet. Spacing, cut-off"
@@ -170,6 +171,7 @@ Foam::clayCloud::clayCloud
     }
     interactions_.print(Info, engine_->kernelName());
     waterLimits::print(Info, mesh, properties_);
+    printInlets(Info);
     checkFilterLength();
 
     // A restart goes on with the fields of its time (the filter in time has a
@@ -266,18 +268,18 @@ void Foam::clayCloud::load()
 
 void Foam::clayCloud::filter(const scalar deltaT)
 {
-    const label n = size();
-    pointField positions(n);
-    labelList cells(n);
-    vectorField velocities(n);
+    DynamicList<point> positions(size());
+    DynamicList<label> cells(size());
+    DynamicList<vector> velocities(size());
 
-    label i = 0;
     for (const clayPlatelet& platelet : *this)
     {
-        positions[i] = platelet.state().x;
-        cells[i] = platelet.cell();
-        velocities[i] = platelet.state().U;
-        ++i;
+        if (platelet.inWater())
+        {
+            positions.append(platelet.state().x);
+            cells.append(platelet.cell());
+            velocities.append(platelet.state().U);
+        }
     }
 
     filter_.update
@@ -312,7 +314,10 @@ Foam::scalar Foam::clayCloud::maxDeltaT(const scalar filterLengths) const
     scalar fastest = 0;
     for (const clayPlatelet& platelet : *this)
     {
-        fastest = max(fastest, mag(platelet.state().U));
+        if (platelet.inWater())
+        {
+            fastest = max(fastest, mag(platelet.state().U));
+        }
     }
     reduce(fastest, maxOp<scalar>());
 
@@ -405,12 +410,20 @@ void Foam::clayCloud::report(Ostream& os, costReport& cost) const
     const scalar contacts =
         returnReduce(scalar(counters.contacts), sumOp<scalar>());
 
+    const label layers = inLayers();
+
     os  << nl << "Platelets: " << state_.entered << " entered, "
-        << number() << " inside, " << state_.allLeft() << " left";
+        << number() - layers << " inside";
+    if (inlets_.size())
+    {
+        os  << ", " << layers << " in layers of inlets";
+    }
+    os  << ", " << state_.allLeft() << " left";
     for (const word& patch : state_.left.sortedToc())
     {
         os  << ", " << state_.left[patch] << " through " << patch;
     }
+    reportInlets(os);
     os  << nl << "Engine: " << counters.steps << " steps, "
         << counters.evaluations << " evaluations of the forces, "
         << counters.rebuilds << " lists built, "

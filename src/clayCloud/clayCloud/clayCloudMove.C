@@ -24,13 +24,19 @@ constexpr Foam::scalar manySteps = 1e6;
 Foam::scalar Foam::clayCloud::meanFraction() const
 {
     scalar sum = 0;
+    label n = 0;
     for (const clayPlatelet& platelet : *this)
     {
-        sum += alpha_[platelet.cell()];
+        if (platelet.inWater())
+        {
+            sum += alpha_[platelet.cell()];
+            ++n;
+        }
     }
     reduce(sum, sumOp<scalar>());
+    reduce(n, sumOp<label>());
 
-    return sum/max(number(), label(1));
+    return sum/max(n, label(1));
 }
 
 
@@ -41,10 +47,16 @@ void Foam::clayCloud::updateEngine(const volVectorField& Uwater)
     const scalar fraction = meanFraction();
 
     // Placed on no cell of clay: nothing to compare with
-    const scalar spacing =
+    scalar spacing =
         fraction > 0 && state_.placedFraction > 0
       ? state_.spacing*Foam::cbrt(state_.placedFraction/fraction)
       : state_.decidedSpacing;
+
+    // What enters goes on to be there
+    for (const clayInlet& inlet : inlets_)
+    {
+        spacing = min(spacing, inlet.spacing());
+    }
 
     const bool changed = interactions_.reconsider
     (
@@ -219,7 +231,8 @@ void Foam::clayCloud::takeBack()
         clayPlatelet::properties& state = platelet.state();
 
         const point x(inSI(local.position[i], units.length()));
-        const vector lag(axes_.nearestImage(state.x - platelet.position()));
+        const point before(tracked(state));
+        const vector lag(axes_.nearestImage(before - platelet.position()));
         vector way(x - state.x);
 
         for (direction axis = 0; axis < 3; ++axis)
@@ -230,7 +243,10 @@ void Foam::clayCloud::takeBack()
             }
         }
 
-        state.displacement = way + lag;
+        // The way in the water; of one in a layer, that of its place at the patch
+        state.x += way;
+        noteLayer(state);
+        state.displacement = tracked(state) - before + lag;
         state.x = x;
         state.U = inSI(local.velocity[i], units.velocity());
         state.F = inSI(local.force[i], units.force());
@@ -240,24 +256,35 @@ void Foam::clayCloud::takeBack()
     }
     engine_->clearCrossings();
 
-    // Processor patches, of which ranks have different numbers, come last
-    labelList left(mesh_.boundaryMesh().nNonProcessor(), Zero);
+    // Processor patches, of which ranks have different numbers, come last; after
+    // all patches those that leave from the layers of inlets
+    const label nPatches = mesh_.boundaryMesh().nNonProcessor();
+    labelList left(nPatches + inlets_.size(), Zero);
     for (const plateletDynamics::departure& gone : engine_->departures())
     {
-        ++left[gone.patch];
-        deleteParticle(*platelets_[gone.tag]);
+        clayPlatelet& platelet = *platelets_[gone.tag];
+        clayPlatelet::properties& state = platelet.state();
+        state.x = inSI(gone.position, units.length());
+        noteLayer(state);
+        ++left[platelet.inWater() ? gone.patch : nPatches + state.inlet];
+
+        deleteParticle(platelet);
         platelets_[gone.tag] = nullptr;
     }
     Pstream::listCombineGather(left, plusEqOp<label>());
     Pstream::listCombineScatter(left);
 
-    forAll(left, patchi)
+    forAll(left, i)
     {
-        if (left[patchi])
+        if (left[i])
         {
-            state_.left(mesh_.boundaryMesh()[patchi].name(), 0) += left[patchi];
+            const word& from =
+                i < nPatches
+              ? mesh_.boundaryMesh()[i].name() : inlets_[i - nPatches].name();
+            state_.left(from, 0) += left[i];
         }
     }
+    sumThrough();
 }
 
 
@@ -272,7 +299,7 @@ void Foam::clayCloud::follow()
 
     for (clayPlatelet& platelet : *this)
     {
-        const point& x = platelet.state().x;
+        const point x(tracked(platelet.state()));
 
         if
         (
@@ -311,11 +338,13 @@ void Foam::clayCloud::follow()
 }
 
 
-void Foam::clayCloud::move(const volVectorField& Uwater, const scalar deltaT)
+void Foam::clayCloud::movePart
+(
+    const volVectorField& Uwater,
+    const scalar deltaT
+)
 {
     const reducedUnits& units = interactions_.units();
-
-    updateEngine(Uwater);
 
     labelList idsBefore(size());
     std::copy
@@ -326,11 +355,25 @@ void Foam::clayCloud::move(const volVectorField& Uwater, const scalar deltaT)
 
     sampleDrag(Uwater);
     sampleFriction();
+    driveLayers();
     checkEngineStep(deltaT);
     asFatalError(units, [&]{ engine_->advance(deltaT/units.time()); });
     takeBack();
     follow();
     checkCount(idsBefore);
+}
+
+
+void Foam::clayCloud::move(const volVectorField& Uwater, const scalar deltaT)
+{
+    updateEngine(Uwater);
+
+    const label n = parts(deltaT);
+    for (label part = 0; part < n; ++part)
+    {
+        supply(deltaT/n);
+        movePart(Uwater, deltaT/n);
+    }
 
     // A restart sorts and lists anew: so does the run that goes on
     if (mesh_.time().writeTime())
@@ -345,5 +388,9 @@ void Foam::clayCloud::move(const volVectorField& Uwater, const scalar deltaT)
         (
             memory.begin(), memory.end(), state_.integratorMemory.begin()
         );
+        for (const clayInlet& inlet : inlets_)
+        {
+            state_.inlets.set(inlet.name(), inlet.state());
+        }
     }
 }

@@ -96,6 +96,38 @@ Foam::scalar Foam::clayInteractions::fractionAt(const scalar spacing) const
 }
 
 
+Foam::scalar Foam::clayInteractions::spacingAt(const scalar fraction) const
+{
+    return Foam::cbrt(parcelVolume()/fraction);
+}
+
+
+Foam::scalar Foam::clayInteractions::pairForce
+(
+    const scalar spacing,
+    const scalar time
+) const
+{
+    return pairLaw(time).force(spacing - thickness());
+}
+
+
+Foam::scalar Foam::clayInteractions::latticePressure
+(
+    const scalar spacing,
+    const scalar time
+) const
+{
+    const scalar thermal =
+        BrownianOn_
+      ? state_.coarseGraining*matter_.waterAt(time).thermalEnergy() : 0;
+
+    return
+        thermal/pow3(spacing)
+      + colloid::scales::latticePressure(pairLaw(time), spacing, thickness());
+}
+
+
 Foam::colloid::pairInteraction Foam::clayInteractions::pairLaw
 (
     const scalar time
@@ -174,6 +206,7 @@ void Foam::clayInteractions::chooseCutOff()
     else if
     (
         halfPeriod == GREAT && state_.entered <= properties_.maxNeighbours()
+     && properties_.inlets().empty()
     )
     {
         // Few platelets in open space: all pairs, however far they move apart

@@ -15,11 +15,12 @@ namespace Foam
 Foam::clayPlatelet::clayPlatelet
 (
     const polyMesh& mesh,
-    const properties& what,
-    const label celli
+    const point& position,
+    const label celli,
+    const properties& what
 )
 :
-    particle(mesh, what.x, celli),
+    particle(mesh, position, celli),
     properties_(what)
 {}
 

@@ -74,6 +74,7 @@ void forEachField(Action action)
     action("previousStep", &properties::previousStep);
     action("id", &properties::id);
     action("fixed", &properties::fixed);
+    action("inlet", &properties::inlet);
 }
 
 } // End anonymous namespace

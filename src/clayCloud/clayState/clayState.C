@@ -28,6 +28,23 @@ Foam::IOobject stateObject
     );
 }
 
+//- As text in files of any format, like other entries
+void writeNumbers
+(
+    Foam::Ostream& os,
+    const Foam::word& keyword,
+    const Foam::scalarList& numbers
+)
+{
+    os.writeKeyword(keyword) << Foam::token::BEGIN_LIST;
+    for (const Foam::scalar number : numbers)
+    {
+        os << Foam::token::SPACE << number;
+    }
+    os << Foam::token::SPACE << Foam::token::END_LIST;
+    os.endEntry();
+}
+
 } // End anonymous namespace
 
 
@@ -79,6 +96,11 @@ Foam::clayState::clayState(const polyMesh& mesh)
     readIfPresent("integrator", integrator);
     readIfPresent("skinUse", skinUse);
     readIfPresent("integratorMemory", integratorMemory);
+    readEntry("through", through);
+    for (const entry& inlet : subDict("inlets"))
+    {
+        inlets.set(inlet.keyword(), scalarList(inlet.stream()));
+    }
 }
 
 
@@ -132,15 +154,15 @@ bool Foam::clayState::writeData(Ostream& os) const
     }
     if (integratorMemory.size())
     {
-        // As text in files of any format, like the other entries
-        os.writeKeyword("integratorMemory") << token::BEGIN_LIST;
-        for (const scalar value : integratorMemory)
-        {
-            os << token::SPACE << value;
-        }
-        os << token::SPACE << token::END_LIST;
-        os.endEntry();
+        writeNumbers(os, "integratorMemory", integratorMemory);
     }
+    os.writeEntry("through", through);
+    os.beginBlock("inlets");
+    for (const word& name : inlets.sortedToc())
+    {
+        writeNumbers(os, name, inlets[name]);
+    }
+    os.endBlock();
 
     os.precision(precision);
     return os.good();

@@ -6,6 +6,7 @@
 #include "cloudProperties.H"
 #include "checkWords.H"
 #include "Time.H"
+#include "HashSet.H"
 #include "keyType.H"
 #include "readInRange.H"
 
@@ -117,13 +118,7 @@ Foam::cloudProperties::cloudProperties(const Time& runTime)
         wordList({"cubic"})
     );
 
-    if (section("inlets").size())
-    {
-        FatalIOErrorInFunction(dict_.subDict("inlets"))
-            << "Inlets are not available in this version; leave 'inlets'"
-            << " empty and place the clay with setClay"
-            << exit(FatalIOError);
-    }
+    checkInlets();
 }
 
 
@@ -268,6 +263,61 @@ Foam::cloudProperties::actionOf(const word& patchName) const
         wordList({"auto", "platelet", "reflect", "absorb"})
     );
     return patchActionNames[action];
+}
+
+
+void Foam::cloudProperties::checkInlets() const
+{
+    wordHashSet patches;
+
+    for (const entry& inlet : section("inlets"))
+    {
+        if (!inlet.isDict())
+        {
+            FatalIOErrorInFunction(dict_.subDict("inlets"))
+                << "'" << inlet.keyword() << "' should be a dictionary:   "
+                << inlet.keyword()
+                << " { type reservoir; patch gel; fraction 0.005; }"
+                << exit(FatalIOError);
+        }
+        if (!patches.insert(inlet.dict().get<word>("patch")))
+        {
+            FatalIOErrorInFunction(inlet.dict())
+                << "Two inlets are on patch " << inlet.dict().get<word>("patch")
+                << exit(FatalIOError);
+        }
+        colloid::readInRange(inlet.dict(), "fraction", 1e-9, 0.99, "(-)");
+    }
+}
+
+
+Foam::dictionary Foam::cloudProperties::inlets() const
+{
+    return section("inlets");
+}
+
+
+bool Foam::cloudProperties::isInlet(const word& patchName) const
+{
+    for (const entry& inlet : inlets())
+    {
+        if (inlet.dict().get<word>("patch") == patchName)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+Foam::scalar Foam::cloudProperties::largestInletFraction() const
+{
+    scalar largest = 0;
+    for (const entry& inlet : inlets())
+    {
+        largest = max(largest, inlet.dict().get<scalar>("fraction"));
+    }
+    return largest;
 }
 
 

@@ -68,6 +68,28 @@ Foam::cloudProperties::patchAction Foam::waterLimits::actionOf
 }
 
 
+plateletDynamics::boundarySurface::action Foam::waterLimits::asAction
+(
+    const polyMesh& mesh,
+    const label patchi,
+    const cloudProperties& properties
+)
+{
+    using action = cloudProperties::patchAction;
+    using plateletDynamics::boundarySurface;
+
+    switch (actionOf(mesh, patchi, properties))
+    {
+        case action::platelet:
+            return boundarySurface::action::platelet;
+        case action::reflect:
+            return boundarySurface::action::reflect;
+        default:
+            return boundarySurface::action::absorb;
+    }
+}
+
+
 plateletDynamics::boundarySurface Foam::waterLimits::triangles
 (
     const polyMesh& mesh,
@@ -76,7 +98,6 @@ plateletDynamics::boundarySurface Foam::waterLimits::triangles
 )
 {
     using plateletDynamics::boundarySurface;
-    using action = cloudProperties::patchAction;
 
     properties.checkPatches(mesh.boundaryMesh().names());
 
@@ -88,7 +109,7 @@ plateletDynamics::boundarySurface Foam::waterLimits::triangles
     {
         const polyPatch& patch = mesh.boundaryMesh()[patchi];
 
-        if (patch.coupled())
+        if (patch.coupled() || properties.isInlet(patch.name()))
         {
             continue;
         }
@@ -141,17 +162,7 @@ plateletDynamics::boundarySurface Foam::waterLimits::triangles
     {
         if (!mesh.boundaryMesh()[patchi].coupled())
         {
-            switch (actionOf(mesh, patchi, properties))
-            {
-                case action::platelet:
-                    does[patchi] = boundarySurface::action::platelet;
-                    break;
-                case action::reflect:
-                    does[patchi] = boundarySurface::action::reflect;
-                    break;
-                default:
-                    does[patchi] = boundarySurface::action::absorb;
-            }
+            does[patchi] = asAction(mesh, patchi, properties);
         }
     }
 
@@ -189,15 +200,16 @@ void Foam::waterLimits::print
     {
         const polyPatch& patch = mesh.boundaryMesh()[i];
         const bool said =
-            properties.actionOf(patch.name()) != action::automatic;
+            properties.actionOf(patch.name()) != action::automatic
+         || properties.isInlet(patch.name());
 
         std::ostringstream text;
         text
             << "    " << std::left << std::setw(16) << patch.name() << ' '
             << std::setw(10)
             << (
-                   patch.coupled()
-                 ? "periodic"
+                   patch.coupled() ? "periodic"
+                 : properties.isInlet(patch.name()) ? "inlet"
                  : cloudProperties::patchActionNames
                    [
                        actionOf(mesh, i, properties)

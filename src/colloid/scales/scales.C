@@ -111,6 +111,36 @@ Foam::scalar Foam::colloid::scales::rangeInSpacings
 }
 
 
+Foam::scalar Foam::colloid::scales::latticePressure
+(
+    const pairInteraction& pair,
+    const scalar spacing,
+    const scalar thickness
+)
+{
+    const scalar far = cutOffInSpacings(pair, spacing, thickness, 1e-4);
+    const label range = label(std::ceil(min(far, scalar(40))));
+    scalar sum = 0;
+
+    for (label i = -range; i <= range; ++i)
+    {
+        for (label j = -range; j <= range; ++j)
+        {
+            for (label k = -range; k <= range; ++k)
+            {
+                const label squared = i*i + j*j + k*k;
+                if (squared > 0 && squared <= range*range)
+                {
+                    const scalar r = spacing*Foam::sqrt(scalar(squared));
+                    sum += r*pair.force(r - thickness);
+                }
+            }
+        }
+    }
+    return sum/(6*pow3(spacing));
+}
+
+
 Foam::scalar Foam::colloid::scales::pressureBeyond
 (
     const scalar spacings,

@@ -1,0 +1,294 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "clayCloud.H"
+#include "waterLimits.H"
+
+#include "fvMesh.H"
+#include "Pstream.H"
+
+
+void Foam::clayCloud::findInlets()
+{
+    const dictionary all(properties_.inlets());
+    inlets_.setSize(all.size());
+    through_.setSize(all.size(), Zero);
+
+    label i = 0;
+    for (const entry& inlet : all)
+    {
+        inlets_.set
+        (
+            i,
+            clayInlet::New
+            (
+                inlet.keyword(),
+                inlet.dict(),
+                {mesh_, properties_, interactions_, axes_, i}
+            ).ptr()
+        );
+        if (state_.inlets.found(inlet.keyword()))
+        {
+            inlets_[i].setState(state_.inlets[inlet.keyword()]);
+        }
+        ++i;
+    }
+}
+
+
+plateletDynamics::boundarySurface Foam::clayCloud::limits() const
+{
+    const scalar unit = interactions_.units().length();
+    plateletDynamics::boundarySurface all
+    (
+        waterLimits::triangles(mesh_, properties_, unit)
+    );
+    for (const clayInlet& inlet : inlets_)
+    {
+        inlet.layer().addLimits(all, unit);
+    }
+    return all;
+}
+
+
+Foam::label Foam::clayCloud::parts(const scalar deltaT) const
+{
+    scalar longest = deltaT;
+    for (const clayInlet& inlet : inlets_)
+    {
+        longest = min(longest, inlet.interval(mesh_.time().value()));
+    }
+    return max(label(1), label(std::ceil(deltaT/longest*(1 - 1e-10))));
+}
+
+
+Foam::clayInlet::neighbours Foam::clayCloud::nearLayer
+(
+    const clayInlet& inlet
+) const
+{
+    DynamicList<point> x;
+    DynamicList<label> id;
+
+    for (const clayPlatelet& platelet : *this)
+    {
+        if (inlet.layer().depth(platelet.state().x) > -inlet.reach())
+        {
+            x.append(platelet.state().x);
+            id.append(platelet.state().id);
+        }
+    }
+
+    List<List<point>> allX(Pstream::nProcs());
+    List<labelList> allId(Pstream::nProcs());
+    allX[Pstream::myProcNo()] = x;
+    allId[Pstream::myProcNo()] = id;
+    Pstream::gatherList(allX);
+    Pstream::scatterList(allX);
+    Pstream::gatherList(allId);
+    Pstream::scatterList(allId);
+
+    clayInlet::neighbours all;
+    forAll(allX, rank)
+    {
+        all.x.append(allX[rank]);
+        all.id.append(allId[rank]);
+    }
+    return all;
+}
+
+
+void Foam::clayCloud::enter
+(
+    const label inleti,
+    const patchLayer::place& where
+)
+{
+    const patchLayer& layer = inlets_[inleti].layer();
+
+    if (layer.triangles()[where.triangle].rank == Pstream::myProcNo())
+    {
+        clayPlatelet::properties what;
+        what.x = where.x;
+        what.id = state_.entered;
+        what.inlet = inleti;
+        addParticle
+        (
+            new clayPlatelet
+            (
+                mesh_,
+                layer.tracked(where.x),
+                layer.cell(where.triangle),
+                what
+            )
+        );
+    }
+    ++state_.entered;
+}
+
+
+void Foam::clayCloud::takeOut(const label inleti, const labelUList& ids)
+{
+    const labelHashSet out(ids);
+
+    forAllIters(*this, iter)
+    {
+        clayPlatelet& platelet = iter();
+        if (out.found(platelet.state().id))
+        {
+            deleteParticle(platelet);
+        }
+    }
+    state_.left(inlets_[inleti].name(), 0) += ids.size();
+}
+
+
+void Foam::clayCloud::supply(const scalar deltaT)
+{
+    bool changed = false;
+    forAll(inlets_, i)
+    {
+        const clayInlet::change next
+        (
+            inlets_[i].supply
+            (
+                nearLayer(inlets_[i]), mesh_.time().value(), deltaT
+            )
+        );
+        for (const patchLayer::place& where : next.enter)
+        {
+            enter(i, where);
+        }
+        if (next.leave.size())
+        {
+            takeOut(i, next.leave);
+        }
+        changed = changed || next.enter.size() || next.leave.size();
+    }
+
+    if (changed)
+    {
+        load();
+    }
+}
+
+
+void Foam::clayCloud::driveLayers()
+{
+    const reducedUnits& units = interactions_.units();
+    plateletDynamics::platelets& local = engine_->local();
+
+    if (inlets_.empty())
+    {
+        return;
+    }
+    for (std::size_t k = 0; k < local.size(); ++k)
+    {
+        const label inleti = platelets_[local.tag[k]]->state().inlet;
+        if (inleti < 0)
+        {
+            continue;
+        }
+
+        vector velocity(inSI(local.waterVelocity[k], units.velocity()));
+        scalar friction = local.friction[k]*units.friction();
+        inlets_[inleti].drive(velocity, friction);
+        local.waterVelocity[k] = reduced(velocity, units.velocity());
+        local.friction[k] = friction/units.friction();
+    }
+}
+
+
+Foam::point Foam::clayCloud::tracked
+(
+    const clayPlatelet::properties& state
+) const
+{
+    return
+        state.inlet < 0
+      ? state.x : inlets_[state.inlet].layer().tracked(state.x);
+}
+
+
+void Foam::clayCloud::noteLayer(clayPlatelet::properties& state)
+{
+    label now = -1;
+    forAll(inlets_, i)
+    {
+        if (inlets_[i].layer().depth(state.x) > 0)
+        {
+            now = i;
+            break;
+        }
+    }
+
+    if (now != state.inlet)
+    {
+        if (state.inlet >= 0)
+        {
+            ++through_[state.inlet];
+        }
+        if (now >= 0)
+        {
+            --through_[now];
+        }
+        state.inlet = now;
+    }
+}
+
+
+void Foam::clayCloud::sumThrough()
+{
+    Pstream::listCombineGather(through_, plusEqOp<label>());
+    Pstream::listCombineScatter(through_);
+
+    forAll(inlets_, i)
+    {
+        state_.through(inlets_[i].name(), 0) += through_[i];
+    }
+    through_ = Zero;
+}
+
+
+Foam::label Foam::clayCloud::inLayers() const
+{
+    label n = 0;
+    for (const clayPlatelet& platelet : *this)
+    {
+        n += !platelet.inWater();
+    }
+    return returnReduce(n, sumOp<label>());
+}
+
+
+void Foam::clayCloud::printInlets(Ostream& os) const
+{
+    if (inlets_.empty())
+    {
+        return;
+    }
+    os  << "Inlets" << nl;
+    for (const clayInlet& inlet : inlets_)
+    {
+        inlet.print(os);
+    }
+    os  << endl;
+}
+
+
+void Foam::clayCloud::reportInlets(Ostream& os) const
+{
+    for (const clayInlet& inlet : inlets_)
+    {
+        os  << nl << "    inlet " << inlet.name() << ": "
+            << state_.through.lookup(inlet.name(), 0)
+            << " went through the patch into the water";
+        if (inlet.waited())
+        {
+            os  << "; " << inlet.waited() << " times there was no room";
+        }
+        inlet.printKind(os);
+    }
+}

@@ -1,0 +1,366 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "clayInlet.H"
+#include "checkWords.H"
+#include "polyMesh.H"
+
+namespace Foam
+{
+    defineTypeNameAndDebug(clayInlet, 0);
+    defineRunTimeSelectionTable(clayInlet, dictionary);
+}
+
+const Foam::wordList Foam::clayInlet::commonWords({"type", "patch", "fraction"});
+
+namespace
+{
+
+using namespace Foam;
+
+//- Tries for a hole
+constexpr label tries = 40;
+
+//- Time between two calls of supply, in relaxation times
+constexpr scalar intervalInRelaxations = 0.2;
+
+
+label patchNumber(const polyMesh& mesh, const dictionary& dict)
+{
+    const word patch(dict.get<word>("patch"));
+    wordList names;
+    for (label i = 0; i < mesh.boundaryMesh().nNonProcessor(); ++i)
+    {
+        names.append(mesh.boundaryMesh()[i].name());
+    }
+    colloid::checkChoice(dict, "patch", patch, names);
+
+    const label i = mesh.boundaryMesh().findPatchID(patch);
+    if (mesh.boundaryMesh()[i].coupled())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Patch " << patch << " is periodic: no platelet can enter there"
+            << exit(FatalIOError);
+    }
+    return i;
+}
+
+} // End anonymous namespace
+
+
+Foam::autoPtr<Foam::clayInlet> Foam::clayInlet::New
+(
+    const word& name,
+    const dictionary& dict,
+    const scene& where
+)
+{
+    const word kind(dict.get<word>("type"));
+    colloid::checkChoice
+    (
+        dict, "type", kind, dictionaryConstructorTablePtr_->sortedToc()
+    );
+    return dictionaryConstructorTablePtr_->cfind(kind)()(name, dict, where);
+}
+
+
+Foam::clayInlet::clayInlet
+(
+    const word& name,
+    const dictionary& dict,
+    const scene& where,
+    const layerShape& shape
+)
+:
+    scene_(where),
+    name_(name),
+    dict_(dict),
+    fraction_(dict.get<scalar>("fraction")),
+    spacing_(where.interactions.spacingAt(fraction_)),
+    shape_(shape),
+    layer_
+    (
+        where.mesh,
+        patchNumber(where.mesh, dict),
+        shape.thickness*spacing_,
+        shape.roughness*spacing_,
+        where.properties,
+        dict
+    ),
+    random_(where.properties.seed())
+{
+    if (numberIn(1) < 4)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Patch " << dict.get<word>("patch") << ", of " << layer_.area()
+            << " m2, is too small for a mean spacing of " << spacing_
+            << " m: a row behind it has only " << numberIn(1)
+            << " platelets or parcels." << nl
+            << "    A larger patch, or (with coarseGraining) smaller parcels"
+            << exit(FatalIOError);
+    }
+    for (direction axis = 0; axis < 3; ++axis)
+    {
+        if
+        (
+            where.axes.periodic(axis)
+         && where.axes.period(axis) < reach()
+        )
+        {
+            FatalIOErrorInFunction(dict)
+                << "The mesh is periodic over " << where.axes.period(axis)
+                << " m, less than three mean spacings of " << spacing_ << " m"
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+Foam::FixedList<Foam::scalar, 4> Foam::clayInlet::draw()
+{
+    // Below those of platelets, whose numbers begin at 0
+    const auto drawn = random_.uniform
+    (
+        -1 - scene_.number, std::uint64_t(draws_)
+    );
+    draws_ += 1;
+
+    return FixedList<scalar, 4>{drawn[0], drawn[1], drawn[2], drawn[3]};
+}
+
+
+Foam::scalar Foam::clayInlet::relaxationTime(const scalar time) const
+{
+    const clayInteractions& interactions = scene_.interactions;
+    const reducedUnits& units = interactions.units();
+    const auto law = interactions.force(time);
+    const scalar gap =
+        spacing_/units.length() - interactions.settings().thickness;
+    const scalar force = law->force(gap)*units.force();
+    const scalar slope = law->slope(gap)*units.force()/units.length();
+    const scalar friction = interactions.friction(fraction_);
+
+    return
+        sqr(spacing_)
+       /(
+            (mag(slope)*sqr(spacing_) + 2*mag(force)*spacing_)/(3*friction)
+          + interactions.diffusivity()
+        );
+}
+
+
+Foam::scalar Foam::clayInlet::interval(const scalar time) const
+{
+    return intervalInRelaxations*relaxationTime(time);
+}
+
+
+Foam::clayInlet::counts Foam::clayInlet::count(const neighbours& near) const
+{
+    counts sum;
+    for (const point& x : near.x)
+    {
+        const scalar depth = layer_.depth(x);
+        sum.inLayer += depth > 0;
+        sum.before += depth <= 0 && depth > -reach();
+        sum.atPatch += max(scalar(0), 1 - mag(depth)/(2*spacing_));
+    }
+    return sum;
+}
+
+
+Foam::patchLayer::place Foam::clayInlet::tryPlace
+(
+    const FixedList<scalar, 4>& random,
+    const scalar
+) const
+{
+    return layer_.at
+    (
+        {random[0], random[1], random[2]}, random[3]*shape_.filled*spacing_
+    );
+}
+
+
+Foam::scalar Foam::clayInlet::netForce
+(
+    const placedPoints& placed,
+    const plateletDynamics::gapForce& law,
+    const point& x
+) const
+{
+    const scalar unit = scene_.interactions.units().length();
+    const scalar thickness = scene_.interactions.settings().thickness;
+    vector sum(Zero);
+
+    placed.forNear
+    (
+        x,
+        [&](const vector& away)
+        {
+            const scalar distance = mag(away);
+            sum +=
+                away/max(distance, VSMALL)
+               *law.force
+                (
+                    max(distance/unit - thickness, law.contactGap())
+                );
+        }
+    );
+    layer_.forWalls
+    (
+        x,
+        [&](const scalar distance, const vector& away)
+        {
+            sum +=
+                away
+               *law.force
+                (
+                    max(distance/unit - 0.5*thickness, law.contactGap())
+                );
+        }
+    );
+    return mag(sum);
+}
+
+
+bool Foam::clayInlet::findPlace
+(
+    const placedPoints& placed,
+    const plateletDynamics::gapForce& law,
+    const scalar deltaT,
+    patchLayer::place& found
+)
+{
+    scalar largest = -1;
+    for (label i = 0; i < tries; ++i)
+    {
+        const patchLayer::place tried(tryPlace(draw(), deltaT));
+        scalar hole = placed.nearest(tried.x);
+        layer_.forWalls
+        (
+            tried.x,
+            [&](const scalar distance, const vector&)
+            {
+                hole = min(hole, distance);
+            }
+        );
+        if (hole > largest)
+        {
+            largest = hole;
+            found = tried;
+        }
+    }
+
+    const scalar halfSpacing = 0.5*spacing_/scene_.interactions.units().length();
+    const scalar most =
+        mag(law.force(halfSpacing - scene_.interactions.settings().thickness));
+
+    return netForce(placed, law, found.x) <= most;
+}
+
+
+Foam::clayInlet::change Foam::clayInlet::supply
+(
+    const neighbours& near,
+    const scalar time,
+    const scalar deltaT
+)
+{
+    const counts now(count(near));
+    change next;
+
+    // At a start all at once
+    scalar number = numberIn(shape_.filled) - now.inLayer;
+    if (started_)
+    {
+        // Rounded up as often as down, so that the mean is kept
+        number = std::floor(wanted(now, deltaT) + draw()[0]);
+    }
+    started_ = true;
+
+    if (number >= 1)
+    {
+        placedPoints placed(scene_.axes, reach());
+        for (const point& x : near.x)
+        {
+            placed.add(x);
+        }
+        const auto law = scene_.interactions.force(time);
+
+        for (label i = 0; i < label(number); ++i)
+        {
+            patchLayer::place found;
+            if (!findPlace(placed, *law, deltaT, found))
+            {
+                ++waited_;
+                noRoom(label(number) - i);
+                break;
+            }
+            placed.add(found.x);
+            next.enter.append(found);
+        }
+    }
+    else if (number <= -1)
+    {
+        DynamicList<label> inLayer;
+        forAll(near.x, i)
+        {
+            if (layer_.depth(near.x[i]) > 0)
+            {
+                inLayer.append(near.id[i]);
+            }
+        }
+        // Any of them, whatever rank told of it first
+        Foam::sort(inLayer);
+
+        for (label i = 0; i < label(-number) && inLayer.size(); ++i)
+        {
+            const label which =
+                min(label(draw()[0]*inLayer.size()), inLayer.size() - 1);
+            next.leave.append(inLayer[which]);
+            inLayer.remove(which);
+        }
+    }
+    return next;
+}
+
+
+Foam::scalarList Foam::clayInlet::state() const
+{
+    scalarList all(memory());
+    all.append(draws_);
+    all.append(started_);
+    all.append(waited_);
+    return all;
+}
+
+
+void Foam::clayInlet::setState(const scalarList& state)
+{
+    const label n = state.size() - 3;
+    if (n != memory().size())
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Inlet " << name_ << " was of another type when this time was"
+            << " written" << exit(FatalIOError);
+    }
+    draws_ = state[n];
+    started_ = state[n + 1] > 0;
+    waited_ = label(state[n + 2]);
+    remember(SubList<scalar>(state, n));
+}
+
+
+void Foam::clayInlet::print(Ostream& os) const
+{
+    os  << "    " << name_ << ": " << type() << " on patch "
+        << scene_.mesh.boundaryMesh()[layer_.patch()].name()
+        << ", solid fraction " << fraction_ << nl
+        << "        spacing " << spacing_ << " m, layer of "
+        << layer_.thickness() << " m behind the patch";
+    printKind(os);
+    os  << nl;
+}

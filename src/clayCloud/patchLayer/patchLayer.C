@@ -1,0 +1,240 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "patchLayer.H"
+
+#include "polyMesh.H"
+#include "polyMeshTetDecomposition.H"
+
+#include <algorithm>
+
+namespace
+{
+
+using namespace Foam;
+
+//- How far points of a flat patch may be from its plane, in widths of the mesh
+constexpr scalar flatWithin = 1e-6;
+
+
+//- Coordinates in the order in which points are compared
+std::array<scalar, 3> coordinates(const point& p)
+{
+    return {p.x(), p.y(), p.z()};
+}
+
+} // End anonymous namespace
+
+
+Foam::patchLayer::patchLayer
+(
+    const polyMesh& mesh,
+    const label patch,
+    const scalar thickness,
+    const scalar roughness,
+    const cloudProperties& properties,
+    const dictionary& dict
+)
+:
+    mesh_(mesh),
+    patch_(patch),
+    thickness_(thickness),
+    roughness_(roughness),
+    centre_(Zero),
+    inward_(Zero)
+{
+    gatherTriangles();
+
+    if (triangles_.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Patch " << mesh.boundaryMesh()[patch].name() << " has no faces"
+            << exit(FatalIOError);
+    }
+
+    vector sum(Zero);
+    for (const triangle& t : triangles_)
+    {
+        const vector area
+        (
+            0.5*(t.corners[1] - t.corners[0])^(t.corners[2] - t.corners[0])
+        );
+        sum += area;
+        centre_ += (t.corners[0] + t.corners[1] + t.corners[2])/3;
+        areaUpTo_.append
+        (
+            (areaUpTo_.empty() ? 0 : areaUpTo_.last()) + t.area
+        );
+    }
+    centre_ /= triangles_.size();
+    inward_ = sum/mag(sum);
+
+    checkFlat(dict);
+    findSides(properties, dict);
+    findWalls();
+}
+
+
+void Foam::patchLayer::gatherTriangles()
+{
+    const polyPatch& patch = mesh_.boundaryMesh()[patch_];
+    const pointField& points = mesh_.points();
+
+    // Corners, and face, of this rank's
+    DynamicList<FixedList<point, 3>> corners;
+    DynamicList<label> faces;
+
+    forAll(patch, i)
+    {
+        const label facei = patch.start() + i;
+        for
+        (
+            const tetIndices& tet
+          : polyMeshTetDecomposition::faceTetIndices
+            (
+                mesh_, facei, mesh_.faceOwner()[facei]
+            )
+        )
+        {
+            // OpenFOAM's normals point out of the water
+            const triFace tri(tet.faceTriIs(mesh_));
+            corners.append
+            (
+                FixedList<point, 3>
+                {
+                    points[tri[0]], points[tri[2]], points[tri[1]]
+                }
+            );
+            faces.append(i);
+        }
+    }
+
+    List<List<FixedList<point, 3>>> allCorners(Pstream::nProcs());
+    List<labelList> allFaces(Pstream::nProcs());
+    allCorners[Pstream::myProcNo()] = corners;
+    allFaces[Pstream::myProcNo()] = faces;
+    Pstream::gatherList(allCorners);
+    Pstream::scatterList(allCorners);
+    Pstream::gatherList(allFaces);
+    Pstream::scatterList(allFaces);
+
+    forAll(allCorners, rank)
+    {
+        forAll(allCorners[rank], i)
+        {
+            const FixedList<point, 3>& c = allCorners[rank][i];
+            triangles_.append
+            (
+                triangle
+                {
+                    c, rank, allFaces[rank][i],
+                    0.5*mag((c[1] - c[0])^(c[2] - c[0]))
+                }
+            );
+        }
+    }
+
+    std::sort
+    (
+        triangles_.begin(), triangles_.end(),
+        [](const triangle& s, const triangle& t)
+        {
+            return
+                coordinates(s.corners[0] + s.corners[1] + s.corners[2])
+              < coordinates(t.corners[0] + t.corners[1] + t.corners[2]);
+        }
+    );
+}
+
+
+void Foam::patchLayer::checkFlat(const dictionary& dict) const
+{
+    const word& name = mesh_.boundaryMesh()[patch_].name();
+    const scalar tolerance = flatWithin*mesh_.bounds().mag();
+
+    scalar farthest = 0;
+    for (const triangle& t : triangles_)
+    {
+        for (const point& p : t.corners)
+        {
+            farthest = max(farthest, mag(depth(p)));
+        }
+    }
+    if (farthest > tolerance)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Patch " << name << " is not flat: points are up to "
+            << farthest << " m from its plane." << nl
+            << "    An inlet needs a flat patch: divide it (in blockMeshDict,"
+            << " or with topoSet and createPatch)" << exit(FatalIOError);
+    }
+
+    scalar behind = 0;
+    for (const point& p : mesh_.points())
+    {
+        behind = max(behind, depth(p));
+    }
+    reduce(behind, maxOp<scalar>());
+
+    if (behind > tolerance)
+    {
+        FatalIOErrorInFunction(dict)
+            << "The mesh reaches " << behind << " m behind the plane of patch "
+            << name << ", where its inlet keeps platelets." << nl
+            << "    The inlet's patch must bound the mesh on one side"
+            << exit(FatalIOError);
+    }
+}
+
+
+Foam::patchLayer::place Foam::patchLayer::at
+(
+    const FixedList<scalar, 3>& random,
+    const scalar depth
+) const
+{
+    return at(random, depth, areaUpTo_);
+}
+
+
+Foam::patchLayer::place Foam::patchLayer::at
+(
+    const FixedList<scalar, 3>& random,
+    const scalar depth,
+    const scalarList& weightUpTo
+) const
+{
+    const label i = min
+    (
+        label
+        (
+            std::upper_bound
+            (
+                weightUpTo.begin(), weightUpTo.end(),
+                random[0]*weightUpTo.last()
+            )
+          - weightUpTo.begin()
+        ),
+        triangles_.size() - 1
+    );
+    const FixedList<point, 3>& corners = triangles_[i].corners;
+
+    // Uniform in the triangle
+    const scalar root = Foam::sqrt(random[1]);
+    return
+    {
+        (1 - root)*corners[0]
+      + root*(1 - random[2])*corners[1]
+      + root*random[2]*corners[2]
+      - depth*inward_,
+        i
+    };
+}
+
+
+Foam::label Foam::patchLayer::cell(const label triangle) const
+{
+    return mesh_.boundaryMesh()[patch_].faceCells()[triangles_[triangle].face];
+}

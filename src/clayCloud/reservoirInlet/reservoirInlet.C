@@ -1,0 +1,59 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "reservoirInlet.H"
+#include "addToRunTimeSelectionTable.H"
+#include "checkWords.H"
+#include "polyMesh.H"
+
+namespace Foam
+{
+    defineTypeNameAndDebug(reservoirInlet, 0);
+    addToRunTimeSelectionTable(clayInlet, reservoirInlet, dictionary);
+}
+
+namespace
+{
+
+//- Time of the controller in relaxation times, and that of its integral part in
+//  these
+constexpr Foam::scalar slowness = 3;
+constexpr Foam::scalar slowlier = 20;
+
+} // End anonymous namespace
+
+
+Foam::reservoirInlet::reservoirInlet
+(
+    const word& name,
+    const dictionary& dict,
+    const scene& where
+)
+:
+    clayInlet
+    (
+        name, dict, where, {3.5, 0.6, 2.4}
+    )
+{
+    colloid::checkWords(dict, commonWords);
+}
+
+
+Foam::scalar Foam::reservoirInlet::wanted
+(
+    const counts& now,
+    const scalar deltaT
+)
+{
+    const scalar time = slowness*relaxationTime(scene_.mesh.time().value());
+    const scalar number = numberIn(2);
+    const scalar missing = number - now.atPatch;
+
+    // Not more than what the layer would hold in the time
+    missed_ += missing*deltaT/(slowlier*time);
+    missed_ = min(max(missed_, -number), number);
+
+    return (missing + missed_)*deltaT/time;
+}

@@ -1,0 +1,189 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "velocityInlet.H"
+#include "addToRunTimeSelectionTable.H"
+#include "checkWords.H"
+#include "readInRange.H"
+#include "volFields.H"
+
+namespace Foam
+{
+    defineTypeNameAndDebug(velocityInlet, 0);
+    addToRunTimeSelectionTable(clayInlet, velocityInlet, dictionary);
+}
+
+namespace
+{
+
+//- Part of a spacing that the layer moves between two calls of supply
+constexpr Foam::scalar wayPerCall = 0.25;
+
+//- Friction of a platelet that moves whatever pushes it, over its own
+constexpr Foam::scalar unmoved = 1e9;
+
+} // End anonymous namespace
+
+
+Foam::vector Foam::velocityInlet::readU(const dictionary& dict)
+{
+    ITstream& is = dict.lookup("U");
+    const token first(is[0]);
+    if (first.isWord())
+    {
+        colloid::checkChoice
+        (
+            dict, "U", first.wordToken(), wordList({"water"})
+        );
+        return Zero;
+    }
+    const vector U(is);
+    colloid::checkAllRead(dict, "U", is);
+    return U;
+}
+
+
+Foam::velocityInlet::velocityInlet
+(
+    const word& name,
+    const dictionary& dict,
+    const scene& where
+)
+:
+    clayInlet
+    (
+        name, dict, where, {2, 0, 2}
+    ),
+    withWater_(dict.lookup("U")[0].isWord()),
+    U_(readU(dict))
+{
+    wordList words(commonWords);
+    words.append("U");
+    colloid::checkWords(dict, words);
+
+    if (!withWater_ && (U_ & layer_.inward()) <= 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "U is " << U_ << ", but " << layer_.inward()
+            << " is the way into the mesh" << exit(FatalIOError);
+    }
+}
+
+
+void Foam::velocityInlet::update()
+{
+    List<vectorField> U(Pstream::nProcs());
+    if (withWater_)
+    {
+        U[Pstream::myProcNo()] =
+            scene_.mesh.lookupObject<volVectorField>("U")
+           .boundaryField()[layer_.patch()];
+        Pstream::gatherList(U);
+        Pstream::scatterList(U);
+    }
+
+    const List<patchLayer::triangle>& triangles = layer_.triangles();
+    speed_.setSize(triangles.size());
+    fluxUpTo_.setSize(triangles.size());
+    scalar flux = 0;
+
+    forAll(triangles, i)
+    {
+        const patchLayer::triangle& t = triangles[i];
+        const vector& velocity = withWater_ ? U[t.rank][t.face] : U_;
+
+        speed_[i] = max(velocity & layer_.inward(), scalar(0));
+        flux += speed_[i]*t.area;
+        fluxUpTo_[i] = flux;
+    }
+}
+
+
+Foam::scalar Foam::velocityInlet::interval(const scalar) const
+{
+    scalar fastest = U_ & layer_.inward();
+    if (withWater_)
+    {
+        for
+        (
+            const vector& velocity
+          : scene_.mesh.lookupObject<volVectorField>("U")
+           .boundaryField()[layer_.patch()]
+        )
+        {
+            fastest = max(fastest, velocity & layer_.inward());
+        }
+        reduce(fastest, maxOp<scalar>());
+    }
+    return wayPerCall*spacing_/max(fastest, VSMALL);
+}
+
+
+Foam::scalar Foam::velocityInlet::wanted
+(
+    const counts&,
+    const scalar deltaT
+)
+{
+    update();
+    owed_ += density()*fluxUpTo_.last()*deltaT;
+
+    const scalar whole = std::floor(owed_);
+    owed_ -= whole;
+    return whole;
+}
+
+
+void Foam::velocityInlet::noRoom(const label number)
+{
+    owed_ += number;
+}
+
+
+Foam::patchLayer::place Foam::velocityInlet::tryPlace
+(
+    const FixedList<scalar, 4>& random,
+    const scalar deltaT
+) const
+{
+    // At a start anywhere; then in the part that the layer has left free
+    if (speed_.empty())
+    {
+        return clayInlet::tryPlace(random, deltaT);
+    }
+
+    patchLayer::place tried
+    (
+        layer_.at({random[0], random[1], random[2]}, 0, fluxUpTo_)
+    );
+    const scalar way =
+        min(speed_[tried.triangle]*deltaT, layer_.thickness());
+    tried.x -= (layer_.thickness() - random[3]*way)*layer_.inward();
+    return tried;
+}
+
+
+void Foam::velocityInlet::drive(vector& velocity, scalar& friction) const
+{
+    if (!withWater_)
+    {
+        velocity = U_;
+    }
+    friction *= unmoved;
+}
+
+
+void Foam::velocityInlet::printKind(Ostream& os) const
+{
+    os  << ", entering with ";
+    if (withWater_)
+    {
+        os  << "the water";
+    }
+    else
+    {
+        os  << U_ << " m/s";
+    }
+}
