@@ -360,7 +360,9 @@ void Foam::clayInlet::print(Ostream& os) const
         << scene_.mesh.boundaryMesh()[layer_.patch()].name()
         << ", solid fraction " << fraction_ << nl
         << "        spacing " << spacing_ << " m, layer of "
-        << layer_.thickness() << " m behind the patch";
+        << layer_.thickness() << " m behind the patch," << nl
+        << "        evens out in "
+        << relaxationTime(scene_.mesh.time().value()) << " s";
     printKind(os);
     os  << nl;
 }

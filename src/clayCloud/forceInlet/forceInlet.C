@@ -85,19 +85,16 @@ Foam::forceInlet::forceInlet
 
 Foam::scalar Foam::forceInlet::wanted(const counts& now, const scalar deltaT)
 {
+    const scalar time = relaxationTime(scene_.mesh.time().value());
+
     if (calibrated_)
     {
-        const scalar time = relaxationTime(scene_.mesh.time().value());
-        const scalar share =
-            now.before/numberIn(3);
-
-        force_ *= Foam::exp((1 - share)*deltaT/(slowly*time));
+        force_ *=
+            Foam::exp((1 - now.before/numberIn(3))*deltaT/(slowly*time));
         force_ =
             min(max(force_, firstForce_/farthest), farthest*firstForce_);
     }
-
-    // What the clay pushes back into the row makes no room
-    return max(numberIn(1) - now.inLayer, scalar(0));
+    return (numberIn(1) - now.inLayer)*deltaT/time;
 }
 
 

@@ -6,7 +6,6 @@
 #include "patchLayer.H"
 
 #include "polyMesh.H"
-#include "polyMeshTetDecomposition.H"
 
 #include <algorithm>
 
@@ -86,25 +85,29 @@ void Foam::patchLayer::gatherTriangles()
     DynamicList<FixedList<point, 3>> corners;
     DynamicList<label> faces;
 
+    // Fans from the corner with the least coordinates: OpenFOAM's own triangles of
+    // a face are not the same after decomposePar
     forAll(patch, i)
     {
-        const label facei = patch.start() + i;
-        for
-        (
-            const tetIndices& tet
-          : polyMeshTetDecomposition::faceTetIndices
-            (
-                mesh_, facei, mesh_.faceOwner()[facei]
-            )
-        )
+        const face& f = patch[i];
+        label first = 0;
+        for (label j = 1; j < f.size(); ++j)
+        {
+            if (coordinates(points[f[j]]) < coordinates(points[f[first]]))
+            {
+                first = j;
+            }
+        }
+        for (label j = 1; j < f.size() - 1; ++j)
         {
             // OpenFOAM's normals point out of the water
-            const triFace tri(tet.faceTriIs(mesh_));
             corners.append
             (
                 FixedList<point, 3>
                 {
-                    points[tri[0]], points[tri[2]], points[tri[1]]
+                    points[f[first]],
+                    points[f[(first + j + 1) % f.size()]],
+                    points[f[(first + j) % f.size()]]
                 }
             );
             faces.append(i);

@@ -9,7 +9,7 @@
 #include "waterLimits.H"
 
 #include "polyMesh.H"
-#include "processorPolyPatch.H"
+#include "processorCyclicPolyPatch.H"
 #include "SubField.H"
 
 #include <map>
@@ -137,7 +137,15 @@ void Foam::patchLayer::findSides
     forAll(patches, patchi)
     {
         const polyPatch& patch = patches[patchi];
-        if (patchi == patch_ || isA<processorPolyPatch>(patch))
+
+        // A periodic side between ranks is a periodic side
+        label number = patchi;
+        if (isA<processorCyclicPolyPatch>(patch))
+        {
+            number = refCast<const processorCyclicPolyPatch>(patch)
+               .referPatchID();
+        }
+        else if (patchi == patch_ || isA<processorPolyPatch>(patch))
         {
             continue;
         }
@@ -160,7 +168,7 @@ void Foam::patchLayer::findSides
                     const vector normal(patch.faceNormals()[i]);
                     const bool flat = mag(normal & inward_) > inOnePlane;
                     beyond[label(std::distance(rim.begin(), found))] =
-                        flat ? -1 : patchi + 1;
+                        flat ? -1 : number + 1;
                 }
             }
         }
@@ -333,7 +341,7 @@ void Foam::patchLayer::addLimits
         (
             limits,
             {c[0] + way, c[1] + way, c[2] + way},
-            inward_, patch_, action::reflect, lengthUnit
+            inward_, patch_, action::absorb, lengthUnit
         );
     }
 }

@@ -154,7 +154,8 @@ boundaryCrossings::outcome boundaryCrossings::follow
 
         if (crossed < 0)
         {
-            return {x + left - from};
+            // Bit for bit where nothing was met
+            return {reflection == 0 ? displacement : vector(x + left - from)};
         }
 
         const auto& t = walls.triangles()[crossed];

@@ -6,6 +6,7 @@
 
 #include "wallForces.H"
 
+#include <algorithm>
 #include <cmath>
 
 namespace plateletDynamics
@@ -218,6 +219,20 @@ void wallForces::pulls
         p.acts = pushesBack || !p.behind || p.foot.rim;
         p.behind = pushesBack;
     }
+}
+
+
+void wallForces::remove(int k)
+{
+    neighbours_.erase
+    (
+        std::remove_if
+        (
+            neighbours_.begin(), neighbours_.end(),
+            [k](const neighbour& near){ return near.platelet == k; }
+        ),
+        neighbours_.end()
+    );
 }
 
 
