@@ -94,6 +94,7 @@ boundaryCrossings::outcome boundaryCrossings::follow
 {
     vector x(from);
     vector left(displacement);
+    std::vector<vector> bends;
 
     for (int reflection = 0; reflection <= mostReflections; ++reflection)
     {
@@ -155,7 +156,13 @@ boundaryCrossings::outcome boundaryCrossings::follow
         if (crossed < 0)
         {
             // Bit for bit where nothing was met
-            return {reflection == 0 ? displacement : vector(x + left - from)};
+            return
+            {
+                bends.empty() ? displacement : vector(x + left - from),
+                -1,
+                vector::Zero(),
+                std::move(bends)
+            };
         }
 
         const auto& t = walls.triangles()[crossed];
@@ -163,8 +170,9 @@ boundaryCrossings::outcome boundaryCrossings::follow
 
         if (t.does == boundarySurface::action::absorb)
         {
-            return {x - from, t.patch, x};
+            return {x - from, t.patch, x, std::move(bends)};
         }
+        bends.push_back(x);
 
         left *= 1 - first;
         left -= 2*left.dot(t.normal)*t.normal;

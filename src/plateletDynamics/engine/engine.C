@@ -70,6 +70,18 @@ const std::vector<departure>& engine::departures() const
 }
 
 
+void engine::setCountedSurfaces(const std::vector<countedSurface>& surfaces)
+{
+    implementation_->setCountedSurfaces(surfaces);
+}
+
+
+const std::vector<passages>& engine::counted() const
+{
+    return implementation_->counted();
+}
+
+
 void engine::listsExpire()
 {
     implementation_->listsExpire();

@@ -254,6 +254,7 @@ void engine::implementation::load(platelets&& loaded)
     clearChoice();
     problem_.clear();
     departures_.clear();
+    stepStart_.clear();
 
     near_.forget();
     listsExpire();
@@ -269,6 +270,18 @@ void engine::implementation::listsExpire()
 }
 
 
+void engine::implementation::setCountedSurfaces
+(
+    const std::vector<countedSurface>& surfaces
+)
+{
+    surfaces_ = surfaceCounters(surfaces, space_, settings_.cutOff);
+
+    // They are listed with the platelets
+    listsExpire();
+}
+
+
 void engine::implementation::evaluateForces(bool maySort)
 {
     if (forcesHold_)
@@ -277,7 +290,11 @@ void engine::implementation::evaluateForces(bool maySort)
     }
 
     double moved = std::sqrt(movedSquared_);
-    counters_.rebuilds += near_.update(local_, maySort, problem_, moved);
+    if (near_.update(local_, maySort, problem_, moved))
+    {
+        ++counters_.rebuilds;
+        surfaces_.list(near_.points(), 2*near_.skin());
+    }
     travelled_ += moved;
     movedSquared_ = 0;
 

@@ -171,6 +171,39 @@ void engine::implementation::noteMove(std::size_t k, const vector& d)
 }
 
 
+void engine::implementation::go
+(
+    std::size_t k,
+    const boundaryCrossings::outcome& way
+)
+{
+    const vector from(near_.points().position[k]);
+    near_.displace(k, way.displacement);
+    countWay(k, from, from, way.bends);
+}
+
+
+void engine::implementation::countWay
+(
+    std::size_t k,
+    const vector& start,
+    const vector& from,
+    const std::vector<vector>& bends
+)
+{
+    vector x(start);
+    vector at(from);
+
+    for (const vector& bend : bends)
+    {
+        surfaces_.count(x, bend - at, bend);
+        x = at = bend;
+    }
+    const vector& end = near_.points().position[k];
+    surfaces_.count(x, end - at, end);
+}
+
+
 std::int64_t engine::implementation::stepsFor(double duration)
 {
     const double step =
@@ -200,6 +233,7 @@ void engine::implementation::displace
 )
 {
     const bool crossable = !near_.crossings().empty();
+    const bool counting = !surfaces_.empty();
 
     for (std::size_t i = 0; i < displacement.size(); ++i)
     {
@@ -228,16 +262,31 @@ void engine::implementation::displace
         }
 
         const vector& from = near_.points().position[k];
+        const bool passing = counting && surfaces_.near(k, from, d);
         if (!crossable || !near_.crossings().near(k, from, d))
         {
             noteMove(k, d);
-            near_.displace(k, d);
+            if (passing)
+            {
+                go(k, {d});
+            }
+            else
+            {
+                near_.displace(k, d);
+            }
             continue;
         }
 
         const auto met = near_.crossings().follow(near_.walls(), from, d);
         noteMove(k, met.displacement);
-        near_.displace(k, met.displacement);
+        if (passing)
+        {
+            go(k, met);
+        }
+        else
+        {
+            near_.displace(k, met.displacement);
+        }
         if (met.absorbedBy >= 0)
         {
             absorb(k, met.absorbedBy);
@@ -259,6 +308,16 @@ void engine::implementation::displace
 void engine::implementation::evaluateAt(const std::vector<vector>& offset)
 {
     offset_.resize(local_.size(), vector::Zero());
+
+    // Once for all tries of a step: the way back leaves round-off
+    if (!surfaces_.empty() && stepStart_.empty())
+    {
+        stepStart_.assign
+        (
+            near_.points().position.begin(),
+            near_.points().position.begin() + local_.size()
+        );
+    }
 
     for (std::size_t k = 0; k < offset.size(); ++k)
     {
@@ -326,16 +385,23 @@ void engine::implementation::accept()
         local_.previousStep[k] = 0;
 
         const vector from(near_.points().position[k] - d);
-        if (near_.crossings().empty() || !near_.crossings().near(k, from, d))
-        {
-            continue;
-        }
+        const bool passing = !surfaces_.empty() && surfaces_.near(k, from, d);
+        const bool crossable =
+            !near_.crossings().empty() && near_.crossings().near(k, from, d);
 
-        const auto met = near_.crossings().follow(near_.walls(), from, d);
+        boundaryCrossings::outcome met{d};
+        if (crossable)
+        {
+            met = near_.crossings().follow(near_.walls(), from, d);
+        }
         if (met.absorbedBy >= 0 || met.displacement != d)
         {
             near_.displace(k, met.displacement - d);
             turned = true;
+        }
+        if (passing)
+        {
+            countWay(k, stepStart_[k], from, met.bends);
         }
         if (met.absorbedBy >= 0)
         {
@@ -343,6 +409,7 @@ void engine::implementation::accept()
         }
     }
     offset_.clear();
+    stepStart_.clear();
 
     // Forces were calculated where all are but those that turned
     if (ranks_.max(turned))
@@ -421,6 +488,7 @@ void engine::implementation::advance(double duration)
     }
 
     departures_.clear();
+    surfaces_.clear();
 
     double remaining = duration;
     std::int64_t steps = 0;

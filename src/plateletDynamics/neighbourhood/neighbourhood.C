@@ -227,25 +227,20 @@ void neighbourhood::takeBack(platelets& local)
         }
         vector& x = local.position[k];
 
+        // Of the point alone, not of how often it was taken back: counters of
+        // passages see the same place
         if (stepped_)
         {
             x = points_.position[k];
-            for (int axis = 0; axis < 3; ++axis)
-            {
-                if (wraps_[k][axis])
-                {
-                    x[axis] -= wraps_[k][axis]*space_.period(axis);
-                }
-            }
         }
-
         const std::array<int, 3> outside(space_.wrap(x));
         for (int axis = 0; axis < 3; ++axis)
         {
             local.crossings[k][axis] += outside[axis];
-            if (!expired_)
+            if (stepped_)
             {
-                wraps_[k][axis] += std::int8_t(outside[axis]);
+                local.crossings[k][axis] -= wraps_[k][axis];
+                wraps_[k][axis] = std::int8_t(outside[axis]);
             }
         }
     }
