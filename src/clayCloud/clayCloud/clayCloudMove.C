@@ -285,6 +285,7 @@ void Foam::clayCloud::takeBack()
         }
     }
     sumThrough();
+    addPassages();
 }
 
 
@@ -381,6 +382,9 @@ void Foam::clayCloud::move(const volVectorField& Uwater, const scalar deltaT)
         engine_->listsExpire();
         state_.skinUse = engine_->skinUse();
         state_.integrator = engine_->integratorName();
+
+        // Of surfaces that are no longer counted the sum would be of a part only
+        state_.passages.retain(wordHashSet(countedNames_));
 
         const std::vector<double> memory(engine_->integratorMemory());
         state_.integratorMemory.setSize(label(memory.size()));

@@ -101,6 +101,7 @@ Foam::clayState::clayState(const polyMesh& mesh)
     {
         inlets.set(inlet.keyword(), scalarList(inlet.stream()));
     }
+    readIfPresent("passages", passages);
 }
 
 
@@ -148,6 +149,19 @@ bool Foam::clayState::writeData(Ostream& os) const
     os.writeEntry("entered", entered);
     os.writeEntry("left", left);
     os.writeEntry("skinUse", skinUse);
+    if (passages.size())
+    {
+        // As text in files of any format, like the other entries
+        os.writeKeyword("passages") << token::BEGIN_LIST;
+        for (const word& name : passages.sortedToc())
+        {
+            os  << token::SPACE << name
+                << token::SPACE << token::BEGIN_LIST << passages[name][0]
+                << token::SPACE << passages[name][1] << token::END_LIST;
+        }
+        os << token::SPACE << token::END_LIST;
+        os.endEntry();
+    }
     if (integrator.size())
     {
         os.writeEntry("integrator", integrator);
