@@ -29,7 +29,9 @@ Foam::functionObjects::clayProfile::clayProfile
     direction_(Zero),
     slabs_(0),
     lowest_(0),
-    thickness_(0)
+    thickness_(0),
+    average_(false),
+    duration_(0)
 {
     read(dict);
     writeHeader(file(), "Means over slabs, one block per time");
@@ -65,7 +67,9 @@ bool Foam::functionObjects::clayProfile::read(const dictionary& dict)
     direction_.normalise();
 
     slabs_ = dict.getCheck<label>("slabs", [](label n){ return n > 0; });
+    average_ = dict.getOrDefault("average", false);
     divide();
+    clearIntegral();
     return true;
 }
 
@@ -80,39 +84,100 @@ void Foam::functionObjects::clayProfile::divide()
     forAll(slabOf_, celli)
     {
         const scalar above = (mesh_.C()[celli] & direction_) - lowest_;
+
+        // A centre between two slabs is in the upper one, whatever its rounding,
+        // which other ranks do differently
         slabOf_[celli] =
-            max(label(0), min(slabs_ - 1, label(above/thickness_)));
+            max(label(0), min(slabs_ - 1, label(above/thickness_ + 1e-9)));
     }
+
+    volume_ = scalarField(slabs_, Zero);
+    forAll(slabOf_, celli)
+    {
+        volume_[slabOf_[celli]] += mesh_.V()[celli];
+    }
+    sumOfRanks(volume_);
 }
 
 
-bool Foam::functionObjects::clayProfile::write()
+template<class Type>
+void Foam::functionObjects::clayProfile::sumOfRanks(Field<Type>& values)
+{
+    Pstream::listCombineGather(values, plusEqOp<Type>());
+    Pstream::listCombineScatter(values);
+}
+
+
+Foam::functionObjects::clayProfile::profile
+Foam::functionObjects::clayProfile::present() const
 {
     const volScalarField& alpha = lookupObject<volScalarField>("alpha.clay");
     const volVectorField& Uclay = lookupObject<volVectorField>("U.clay");
     const volVectorField& U = lookupObject<volVectorField>("U");
 
-    scalarField volume(slabs_, Zero);
-    scalarField meanAlpha(slabs_, Zero);
-    vectorField meanU(slabs_, Zero);
-    vectorField meanFlux(slabs_, Zero);
-
+    profile mean
+    {
+        scalarField(slabs_, Zero),
+        vectorField(slabs_, Zero),
+        vectorField(slabs_, Zero)
+    };
     forAll(slabOf_, celli)
     {
         const label slab = slabOf_[celli];
         const scalar V = mesh_.V()[celli];
 
-        volume[slab] += V;
-        meanAlpha[slab] += V*alpha[celli];
-        meanU[slab] += V*U[celli];
-        meanFlux[slab] += V*alpha[celli]*Uclay[celli];
+        mean.alpha[slab] += V*alpha[celli];
+        mean.U[slab] += V*U[celli];
+        mean.flux[slab] += V*alpha[celli]*Uclay[celli];
     }
-    for (label slab = 0; slab < slabs_; ++slab)
+    sumOfRanks(mean.alpha);
+    sumOfRanks(mean.U);
+    sumOfRanks(mean.flux);
+
+    // A slab thinner than the cells may hold no cell centre
+    const scalarField volume(max(volume_, VSMALL));
+    mean.alpha /= volume;
+    mean.U /= volume;
+    mean.flux /= volume;
+
+    return mean;
+}
+
+
+void Foam::functionObjects::clayProfile::clearIntegral()
+{
+    integral_.alpha = scalarField(slabs_, Zero);
+    integral_.U = vectorField(slabs_, Zero);
+    integral_.flux = vectorField(slabs_, Zero);
+    duration_ = 0;
+}
+
+
+bool Foam::functionObjects::clayProfile::execute()
+{
+    if (average_)
     {
-        reduce(volume[slab], sumOp<scalar>());
-        reduce(meanAlpha[slab], sumOp<scalar>());
-        reduce(meanU[slab], sumOp<vector>());
-        reduce(meanFlux[slab], sumOp<vector>());
+        const scalar deltaT = time_.deltaTValue();
+        const profile now(present());
+
+        integral_.alpha += deltaT*now.alpha;
+        integral_.U += deltaT*now.U;
+        integral_.flux += deltaT*now.flux;
+        duration_ += deltaT;
+    }
+    return true;
+}
+
+
+bool Foam::functionObjects::clayProfile::write()
+{
+    profile mean(duration_ > 0 ? integral_ : present());
+    if (duration_ > 0)
+    {
+        mean.alpha /= duration_;
+        mean.U /= duration_;
+        mean.flux /= duration_;
+        clearIntegral();
     }
 
     if (Pstream::master())
@@ -121,18 +186,17 @@ bool Foam::functionObjects::clayProfile::write()
 
         for (label slab = 0; slab < slabs_; ++slab)
         {
-            // A slab thinner than the cells may hold no cell centre
-            if (volume[slab] <= 0)
+            if (volume_[slab] <= 0)
             {
                 continue;
             }
 
-            const vector u(meanU[slab]/volume[slab]);
-            const vector q(meanFlux[slab]/volume[slab]);
+            const vector& u = mean.U[slab];
+            const vector& q = mean.flux[slab];
 
             os  << time_.value()
                 << tab << (slab + 0.5)*thickness_
-                << tab << meanAlpha[slab]/volume[slab]
+                << tab << mean.alpha[slab]
                 << tab << u.x() << tab << u.y() << tab << u.z()
                 << tab << q.x() << tab << q.y() << tab << q.z() << nl;
         }
