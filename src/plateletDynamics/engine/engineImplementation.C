@@ -293,7 +293,7 @@ void engine::implementation::evaluateForces(bool maySort)
     if (near_.update(local_, maySort, problem_, moved))
     {
         ++counters_.rebuilds;
-        surfaces_.list(near_.points(), 2*near_.skin());
+        surfaces_.list(near_.points(), 2*near_.skin(), 0.5*near_.skin());
     }
     travelled_ += moved;
     movedSquared_ = 0;

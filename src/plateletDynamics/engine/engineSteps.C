@@ -262,7 +262,7 @@ void engine::implementation::displace
         }
 
         const vector& from = near_.points().position[k];
-        const bool passing = counting && surfaces_.near(k, from, d);
+        const bool passing = counting && surfaces_.nearStep(k, from, d);
         if (!crossable || !near_.crossings().near(k, from, d))
         {
             noteMove(k, d);

@@ -149,9 +149,15 @@ std::array<std::int64_t, 2> surfaceCounters::periodsToMeet
 }
 
 
-void surfaceCounters::list(const kernelPoints& points, double reach)
+void surfaceCounters::list
+(
+    const kernelPoints& points,
+    double reach,
+    double holdsWithin
+)
 {
     clearance_.clear();
+    stepSquared_.clear();
     listed_.clear();
 
     if (empty())
@@ -210,6 +216,11 @@ void surfaceCounters::list(const kernelPoints& points, double reach)
             );
         }
         clearance_.push_back((1 - 1e-9)*std::sqrt(nearest) - tolerance);
+
+        // How far they have moved is known in units of kernelPoints
+        const double step =
+            std::max(clearance_.back() - (1 + 1e-5)*holdsWithin, 0.0);
+        stepSquared_.push_back(step*step);
     }
 }
 
