@@ -128,7 +128,7 @@ bool Foam::functionObjects::plateletFlux::write()
 
     Log << type() << ' ' << name() << ": " << since*clay.parcelNumber()
         << " platelets since " << lastTime_ << " s, "
-        << net*clay.parcelNumber() << " in all" << nl << endl;
+        << net*clay.parcelNumber() << " in all" << endl;
 
     if (Pstream::master())
     {
