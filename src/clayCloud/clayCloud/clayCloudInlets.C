@@ -263,6 +263,17 @@ Foam::label Foam::clayCloud::inLayers() const
 }
 
 
+Foam::labelHashSet Foam::clayCloud::inletPatches() const
+{
+    labelHashSet patches;
+    for (const clayInlet& inlet : inlets_)
+    {
+        patches.insert(inlet.layer().patch());
+    }
+    return patches;
+}
+
+
 void Foam::clayCloud::printInlets(Ostream& os) const
 {
     if (inlets_.empty())

@@ -120,7 +120,12 @@ void Foam::fluxSurface::gather()
 }
 
 
-void Foam::fluxSurface::readPatch(const polyMesh& mesh, const dictionary& dict)
+void Foam::fluxSurface::readPatch
+(
+    const polyMesh& mesh,
+    const dictionary& dict,
+    const labelHashSet& passable
+)
 {
     const polyBoundaryMesh& patches = mesh.boundaryMesh();
     const word name(dict.get<word>("patch"));
@@ -134,7 +139,11 @@ void Foam::fluxSurface::readPatch(const polyMesh& mesh, const dictionary& dict)
     );
     description_ = "patch " + name + ", outwards";
 
-    if (!isA<cyclicPolyPatch>(patches[name]))
+    if
+    (
+        !isA<cyclicPolyPatch>(patches[name])
+     && !passable.found(patches.findPatchID(name))
+    )
     {
         openPatch_ = name;
         return;
@@ -340,7 +349,12 @@ void Foam::fluxSurface::readFile(const polyMesh& mesh, const dictionary& dict)
 }
 
 
-Foam::fluxSurface::fluxSurface(const polyMesh& mesh, const dictionary& dict)
+Foam::fluxSurface::fluxSurface
+(
+    const polyMesh& mesh,
+    const dictionary& dict,
+    const labelHashSet& passable
+)
 {
     const word type(dict.get<word>("type"));
     colloid::checkChoice
@@ -351,7 +365,7 @@ Foam::fluxSurface::fluxSurface(const polyMesh& mesh, const dictionary& dict)
 
     if (type == "patch")
     {
-        readPatch(mesh, dict);
+        readPatch(mesh, dict, passable);
     }
     else if (type == "faceZone")
     {

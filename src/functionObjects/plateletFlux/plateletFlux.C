@@ -41,7 +41,13 @@ bool Foam::functionObjects::plateletFlux::read(const dictionary& dict)
     writeFile::read(dict);
 
     clayCloud& clay = cloud(dict);
-    surface_.reset(new fluxSurface(mesh_, dict.subDict("surface")));
+    surface_.reset
+    (
+        new fluxSurface
+        (
+            mesh_, dict.subDict("surface"), clay.inletPatches()
+        )
+    );
 
     if (surface_->openPatch().empty())
     {
@@ -77,7 +83,7 @@ Foam::functionObjects::plateletFlux::passed() const
         return clay.passages(name());
     }
 
-    // Through patches platelets leave; none enters
+    // Through such patches platelets leave; none enters
     return {scalar(clay.state().left.lookup(patch, 0)), scalar(0)};
 }
 
