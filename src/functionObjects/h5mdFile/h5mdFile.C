@@ -8,15 +8,10 @@
 #include "h5mdLayout.H"
 
 #include "Pstream.H"
+#include "diskRoom.H"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <limits>
-
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 // * * * * * * * * * * * * * * * Local functions * * * * * * * * * * * * * * //
 
@@ -68,7 +63,7 @@ std::vector<Value> readFirst
 
 
 //- Bytes that a frame of this number of platelets may need
-off_t mostBytes
+std::size_t mostBytes
 (
     const fileName& path,
     const label fields,
@@ -299,38 +294,7 @@ void Foam::h5mdFile::cut(const contents& before, const label frames) const
 
 void Foam::h5mdFile::reserve(const label number) const
 {
-    const off_t needed = mostBytes(path_, fields_.size(), number);
-    const int file = ::open(path_.c_str(), O_WRONLY);
-    struct stat status;
-    int problem = 0;
-
-    if (file < 0 || ::fstat(file, &status) != 0)
-    {
-        problem = errno;
-    }
-    else
-    {
-        // Beyond the file's end, up to which the library cuts it when it closes
-        // it; if that fails, back to its size at once
-        problem = ::posix_fallocate(file, status.st_size, needed);
-        if (problem && ::ftruncate(file, status.st_size) != 0)
-        {
-            problem = errno;
-        }
-    }
-    if (file >= 0)
-    {
-        ::close(file);
-    }
-
-    if (problem)
-    {
-        throw std::runtime_error
-        (
-            "to reserve " + std::to_string(needed) + " bytes for a frame: "
-          + std::strerror(problem)
-        );
-    }
+    diskRoom::reserve(path_, mostBytes(path_, fields_.size(), number));
 }
 
 
@@ -341,6 +305,25 @@ void Foam::h5mdFile::append
     const scalar time,
     const rowsById& rows
 ) const
+{
+    appendRows(frames, rows);
+
+    // Opened anew: only when it is closed does the library note how long the
+    // file is, without which nobody can read what is at its end
+    h5Handle file(openFile(path_, H5F_ACC_RDWR, by::all));
+
+    const std::int64_t numberNow = rows.total;
+    const std::int64_t stepNow = step;
+    const double timeNow = time;
+    appendNumber(file, numberPath, H5T_NATIVE_INT64, frames, &numberNow);
+    appendNumber(file, stepPath, H5T_NATIVE_INT64, frames, &stepNow);
+    appendNumber(file, timePath, H5T_NATIVE_DOUBLE, frames, &timeNow);
+
+    file.close("to write a frame");
+}
+
+
+void Foam::h5mdFile::appendRows(const label frames, const rowsById& rows) const
 {
     h5Handle file(openFile(path_, H5F_ACC_RDWR, by::all));
 
@@ -355,9 +338,7 @@ void Foam::h5mdFile::append
     }
 
     const hsize_t frame = frames;
-    const std::vector<std::int64_t> ids(rows.ids.begin(), rows.ids.end());
-
-    const auto appendRows =
+    const auto appendTo =
     [&]
     (
         const std::string& path,
@@ -375,16 +356,17 @@ void Foam::h5mdFile::append
         {
             writeRows
             (
-                dataset, path, type, frame, rows.first, ids.size(), columns,
-                values
+                dataset, path, type, frame, rows.first, rows.ids.size(),
+                columns, values
             );
         }
     };
 
-    appendRows(idPath, H5T_NATIVE_INT64, 0, ids.data());
+    const std::vector<std::int64_t> ids(rows.ids.begin(), rows.ids.end());
+    appendTo(idPath, H5T_NATIVE_INT64, 0, ids.data());
     forAll(fields_, i)
     {
-        appendRows
+        appendTo
         (
             vectorsPath(fields_[i]),
             sizeof(scalar) == sizeof(double)
@@ -393,14 +375,5 @@ void Foam::h5mdFile::append
             rows.columns[i].cdata()
         );
     }
-    h5Checked(H5Fflush(file, H5F_SCOPE_LOCAL), "to write a frame");
-
-    const std::int64_t numberNow = rows.total;
-    const std::int64_t stepNow = step;
-    const double timeNow = time;
-    appendNumber(file, numberPath, H5T_NATIVE_INT64, frame, &numberNow);
-    appendNumber(file, stepPath, H5T_NATIVE_INT64, frame, &stepNow);
-    appendNumber(file, timePath, H5T_NATIVE_DOUBLE, frame, &timeNow);
-
     file.close("to write a frame");
 }
