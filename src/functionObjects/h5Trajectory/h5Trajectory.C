@@ -36,11 +36,11 @@ const wordList& validWords()
     static const wordList words
     ({
         "file", "fields", "compression",
-        "type", "libs", "functionObjectLibs", "name", "enabled", "log",
-        "errors", "region", "writeControl", "writeInterval", "executeControl",
-        "executeInterval", "outputControl", "outputInterval", "timeStart",
-        "timeEnd", "triggerStart", "triggerEnd", "controlMode", "deltaTCoeff",
-        "nStepsToStartTimeChange"
+        "type", "libs", "functionObjectLibs", "enabled", "log", "errors",
+        "useNamePrefix", "region", "writeControl", "writeInterval",
+        "executeControl", "executeInterval", "outputControl",
+        "outputInterval", "timeStart", "timeEnd", "triggerStart",
+        "triggerEnd", "controlMode", "deltaTCoeff", "nStepsToStartTimeChange"
     });
     return words;
 }
