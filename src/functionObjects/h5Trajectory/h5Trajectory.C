@@ -262,8 +262,8 @@ void Foam::functionObjects::h5Trajectory::refuse(const string& problem) const
 {
     // Not FatalError, which OpenFOAM takes for a warning in constructors
     FatalIOErrorInFunction(time_.controlDict())
-        << "The trajectory " << file_->path() << " could not be written at time "
-        << time_.timeName() << ": " << problem.c_str() << nl
+        << "The trajectory " << file_->path()
+        << " could not be written at time " << time_.timeName() << ": " << problem.c_str() << nl
         << "Is the disk full, or a quota or file-size limit reached?" << nl
         << "It keeps the " << frames_ << " frames that it had; a restart goes"
         << " on from the last complete time directory." << exit(FatalIOError);

@@ -100,7 +100,8 @@ std::size_t mostBytes
 }
 
 
-//- Write this rank's rows of a frame; without columns: an id per row. Collective
+//- Write this rank's rows of a frame; without columns: an id per row.
+//  Collective
 void writeRows
 (
     const hid_t dataset,

@@ -250,7 +250,9 @@ void makeAll
     makeSeries(file, stepPath, H5T_STD_I64LE, &none, 0, 0, 0);
     setText
     (
-        makeSeries(file, timePath, H5T_IEEE_F64LE, &noValue, 0, 0, 0), "unit", "s"
+        makeSeries(file, timePath, H5T_IEEE_F64LE, &noValue, 0, 0, 0),
+        "unit",
+        "s"
     );
 
     makeSeries(file, idPath, H5T_STD_I64LE, &noId, rows, 0, compression);
@@ -293,7 +295,10 @@ void Foam::h5mdFile::create
     {
         h5Handle file
         (
-            H5Fcreate(unfinished.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT),
+            H5Fcreate
+            (
+                unfinished.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT
+            ),
             H5Fclose,
             "to make " + unfinished
         );
