@@ -9,6 +9,8 @@
 #
 #   -v task=places -v n=12             the places at the start, OpenFOAM's list
 #   -v task=period|time -v n=12        length of the stack [m], duration [s]
+#   -v task=diffusivity -v fraction=0.01 -v c=0.1 -v neighbours=40
+#                                      D [m2/s] with that many on each side
 #   -v task=error -v n=12  FILE        FILE has a line "x y z" for each sheet:
 #                                      rms error of delta/spacing, relative
 
@@ -71,15 +73,23 @@ BEGIN {
     pi = 3.14159265358979
     kB = 1.380649e-23; e = 1.602176634e-19; NA = 6.02214076e23
     eps = 8.8541878128e-12*78.5; T = 298.15; R = kB*NA
-    c = 1; sigma = 0.131; A = 1.0291012e-20
+    if (!c) c = 1
+    sigma = 0.131; A = 1.0291012e-20
     delta = 1e-9; Sp = pi*(200e-9)^2/4; xi = 1.2e-9
-    L = 1e-7; P = n*L; a = 0.1; k1 = 2*pi/P
+    L = 1e-7; P = n*L; if (!a) a = 0.1
+    k1 = 2*pi/P
     kappa = sqrt(2*c*(e*NA)^2/(eps*R*T))
     y0 = 2*asinh(e*NA*sigma/(2*eps*kappa*R*T))
 
     # Half of the decay time of the wave
     duration = 0.5/(D(delta/L)*k1*k1)
 
+    if (task == "diffusivity")
+    {
+        for (j = 1; j <= neighbours; ++j)
+            sum -= (j*delta/fraction)^2/xi*slope(j*delta/fraction - delta)
+        printf "%.10g\n", sum
+    }
     if (task == "period") printf "%.17g\n", P
     if (task == "time") printf "%.17g\n", duration
     if (task == "places")

@@ -1,0 +1,403 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "clayDiffusivity.H"
+#include "addToRunTimeSelectionTable.H"
+#include "checkWords.H"
+#include "patchWave.H"
+#include "readInRange.H"
+#include "volFields.H"
+#include "zeroGradientFvPatchFields.H"
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(clayDiffusivity, 0);
+    addToRunTimeSelectionTable(functionObject, clayDiffusivity, dictionary);
+}
+}
+
+namespace
+{
+
+using namespace Foam;
+
+const wordList methodNames({"pointwise", "leastSquares", "equilibrium"});
+
+} // End anonymous namespace
+
+
+Foam::functionObjects::clayDiffusivity::clayDiffusivity
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    fvMeshFunctionObject(name, runTime, dict),
+    writeFile(mesh_, name, name, dict),
+    margin_(-1),
+    wantedPieces_(label(0)),
+    axes_(mesh_),
+    gradient_(mesh_, axes_),
+    pieces_(0)
+{
+    read(dict);
+}
+
+
+const Foam::clayCloud& Foam::functionObjects::clayDiffusivity::cloud() const
+{
+    const clayCloud* found = mesh_.findObject<clayCloud>("clay");
+
+    if (!found)
+    {
+        FatalErrorInFunction
+            << "There is no cloud of clay: clayDiffusivity works in runs of"
+            << " clayFoam, not after them" << exit(FatalError);
+    }
+    return *found;
+}
+
+
+bool Foam::functionObjects::clayDiffusivity::has(const word& method) const
+{
+    return methods_.found(method);
+}
+
+
+bool Foam::functionObjects::clayDiffusivity::read(const dictionary& dict)
+{
+    fvMeshFunctionObject::read(dict);
+    writeFile::read(dict);
+
+    colloid::checkWords
+    (
+        dict,
+        wordList
+        ({
+            "methods", "fractions", "bins", "spacing", "margin", "pieces",
+            // Of all function objects
+            "type", "libs", "functionObjectLibs", "enabled", "log", "region",
+            "timeStart", "timeEnd", "executeControl", "executeInterval",
+            "writeControl", "writeInterval", "writePrecision", "writeToFile",
+            "useUserTime", "controlMode", "errors"
+        })
+    );
+
+    methods_ = dict.get<wordList>("methods");
+    for (const word& method : methods_)
+    {
+        colloid::checkChoice(dict, "methods", method, methodNames);
+    }
+    if (methods_.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "No methods; there are " << flatOutput(methodNames)
+            << exit(FatalIOError);
+    }
+
+    const FixedList<scalar, 2> fractions
+    (
+        dict.get<FixedList<scalar, 2>>("fractions")
+    );
+    if (!(fractions[0] > 0 && fractions[0] < fractions[1] && fractions[1] < 1))
+    {
+        FatalIOErrorInFunction(dict)
+            << "fractions are " << flatOutput(fractions) << "; they should be"
+            << " two between 0 and 1, the lower one first"
+            << exit(FatalIOError);
+    }
+
+    const word spacing(dict.getOrDefault<word>("spacing", "logarithmic"));
+    colloid::checkChoice
+    (
+        dict, "spacing", spacing, wordList({"logarithmic", "linear"})
+    );
+    bins_.reset
+    (
+        new fractionBins
+        (
+            fractions[0],
+            fractions[1],
+            dict.getCheck<label>
+            (
+                "bins", [](label n) { return n > 0 && n <= 1000; }
+            ),
+            spacing == "logarithmic"
+        )
+    );
+
+    margin_ =
+        colloid::numberOrWord(dict, "margin", "auto", 0, 1e3, "m").value_or(-1);
+
+    wantedPieces_ = label(0);
+    if (dict.found("pieces") && dict.lookup("pieces").first().isWord())
+    {
+        colloid::checkChoice
+        (
+            dict, "pieces", dict.get<word>("pieces"), wordList({"auto"})
+        );
+    }
+    else if (dict.found("pieces"))
+    {
+        wantedPieces_ = dict.get<FixedList<label, 3>>("pieces");
+        if (min(min(wantedPieces_[0], wantedPieces_[1]), wantedPieces_[2]) < 1)
+        {
+            FatalIOErrorInFunction(dict)
+                << "pieces are " << flatOutput(wantedPieces_)
+                << "; along each axis there is at least one, such as (4 4 1)"
+                << exit(FatalIOError);
+        }
+    }
+
+    fits_.clear();
+    pieceOf_.clear();
+    return true;
+}
+
+
+void Foam::functionObjects::clayDiffusivity::divide()
+{
+    const scalar filterLength = cloud().interactions().filterLength();
+    const scalar margin = margin_ < 0 ? filterLength : margin_;
+
+    FixedList<label, 3> number(wantedPieces_);
+    for (direction axis = 0; axis < 3; ++axis)
+    {
+        if (number[axis] == 0)
+        {
+            const scalar widths =
+                (axes_.upper(axis) - axes_.lower(axis))/(2*filterLength);
+            number[axis] = label(max(scalar(1), min(widths, scalar(4))));
+        }
+    }
+    pieces_ = number[0]*number[1]*number[2];
+
+    pieceOf_.setSize(mesh_.nCells());
+    forAll(pieceOf_, celli)
+    {
+        FixedList<label, 3> at;
+        for (direction axis = 0; axis < 3; ++axis)
+        {
+            const scalar share =
+                (mesh_.C()[celli][axis] - axes_.lower(axis))
+               /(axes_.upper(axis) - axes_.lower(axis));
+            at[axis] =
+                max(label(0), min(label(share*number[axis]), number[axis] - 1));
+        }
+        pieceOf_[celli] = at[0] + number[0]*(at[1] + number[1]*at[2]);
+    }
+
+    labelHashSet patches;
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if (!patch.coupled() && patch.type() != "empty")
+        {
+            patches.insert(patch.index());
+        }
+    }
+    if (margin > 0 && patches.size())
+    {
+        const patchWave toPatches(mesh_, patches);
+        forAll(pieceOf_, celli)
+        {
+            if (toPatches.distance()[celli] < margin)
+            {
+                pieceOf_[celli] = -1;
+            }
+        }
+    }
+
+    label counting = 0;
+    for (const label piece : pieceOf_)
+    {
+        counting += piece >= 0;
+    }
+    if (returnReduce(counting, sumOp<label>()) == 0)
+    {
+        FatalErrorInFunction
+            << "No cell of " << name() << " counts: all are nearer than "
+            << margin << " m to a patch." << nl
+            << "    A smaller margin (the filter's length is " << filterLength
+            << " m), or margin 0" << exit(FatalError);
+    }
+
+    for (const word& method : methods_)
+    {
+        if (method != "equilibrium")
+        {
+            fits_.set
+            (
+                method,
+                new fluxFit
+                (
+                    *bins_,
+                    pieces_,
+                    method == "pointwise"
+                  ? fluxFit::weighting::pointwise
+                  : fluxFit::weighting::leastSquares
+                )
+            );
+        }
+    }
+}
+
+
+Foam::vectorField Foam::functionObjects::clayDiffusivity::flux
+(
+    const vectorField& gradient
+) const
+{
+    const clayInteractions& interactions = cloud().interactions();
+    const scalarField& alpha = lookupObject<volScalarField>("alpha.clay");
+    const vectorField& Uclay = lookupObject<volVectorField>("U.clay");
+    const vectorField& U = lookupObject<volVectorField>("U");
+
+    vectorField result(alpha.size());
+    forAll(result, celli)
+    {
+        const scalar friction =
+            interactions.friction(min(alpha[celli], scalar(0.99)));
+
+        vector velocity(Uclay[celli] - interactions.weight()/friction);
+        if (interactions.drag())
+        {
+            velocity -= U[celli];
+        }
+
+        result[celli] =
+            alpha[celli]*velocity
+          - interactions.diffusivity()*interactions.friction(0)/friction
+           *gradient[celli];
+    }
+    return result;
+}
+
+
+bool Foam::functionObjects::clayDiffusivity::execute()
+{
+    if (!has("pointwise") && !has("leastSquares"))
+    {
+        return true;
+    }
+    if (fits_.empty())
+    {
+        divide();
+    }
+
+    const scalarField& alpha = lookupObject<volScalarField>("alpha.clay");
+    const vectorField gradient(gradient_.gradient(alpha));
+    const vectorField q(flux(gradient));
+
+    forAllIters(fits_, iter)
+    {
+        fluxFit& fit = **iter;
+        fit.nextSample();
+
+        forAll(pieceOf_, celli)
+        {
+            if (pieceOf_[celli] >= 0)
+            {
+                fit.add
+                (
+                    pieceOf_[celli],
+                    mesh_.V()[celli],
+                    alpha[celli],
+                    q[celli],
+                    gradient[celli]
+                );
+            }
+        }
+    }
+
+    if (has("pointwise"))
+    {
+        pointwise_ = -(q & gradient)/max(magSqr(gradient), VSMALL);
+    }
+    return true;
+}
+
+
+Foam::diffusivityTable Foam::functionObjects::clayDiffusivity::tableOf
+(
+    const word& method
+)
+{
+    return fits_.found(method) ? fits_[method]->table() : diffusivityTable();
+}
+
+
+void Foam::functionObjects::clayDiffusivity::writeField
+(
+    const word& name,
+    const scalarField& values
+) const
+{
+    volScalarField field
+    (
+        IOobject
+        (
+            name,
+            time_.timeName(),
+            mesh_,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE,
+            false
+        ),
+        mesh_,
+        dimensionedScalar(sqr(dimLength)/dimTime, Zero),
+        zeroGradientFvPatchScalarField::typeName
+    );
+    field.primitiveFieldRef() = values;
+    field.correctBoundaryConditions();
+    field.write();
+}
+
+
+bool Foam::functionObjects::clayDiffusivity::write()
+{
+    const scalarField& alpha = lookupObject<volScalarField>("alpha.clay");
+
+    forAll(methods_, i)
+    {
+        const word& method = methods_[i];
+        const diffusivityTable table(tableOf(method));
+
+        if (table.rows().empty())
+        {
+            WarningInFunction
+                << "No " << method << " in the table of " << name()
+                << ": too little clay between the fractions, or too few pieces"
+                << " and times for an error" << nl << endl;
+            continue;
+        }
+        if (Pstream::master())
+        {
+            const string title("Diffusivity of clay by " + method);
+            table.write(baseTimeDir()/method + ".dat", title, false);
+            if (i == 0)
+            {
+                table.write(baseTimeDir()/"diffusivity.dat", title, true);
+            }
+        }
+        if (i == 0)
+        {
+            scalarField D(alpha.size());
+            forAll(D, celli)
+            {
+                D[celli] = table.at(alpha[celli]);
+            }
+            writeField("D.clay", D);
+        }
+    }
+
+    if (pointwise_.size() == mesh_.nCells() && has("pointwise"))
+    {
+        writeField("D.clay.pointwise", pointwise_);
+    }
+    return true;
+}
