@@ -176,11 +176,52 @@ void Foam::clayInteractions::chooseUnits()
 }
 
 
+Foam::scalar Foam::clayInteractions::cutOffAt(const scalar spacing) const
+{
+    if (properties_.cutOff() > 0)
+    {
+        return properties_.cutOff();
+    }
+
+    const colloid::pairInteraction law(pairLaw(state_.decidedAt));
+    const scalar furthest = cbrt
+    (
+        properties_.maxNeighbours()/(4*constant::mathematical::pi/3)
+    );
+    const scalar thermalEnergy =
+        BrownianOn_
+      ? state_.coarseGraining
+       *matter_.waterAt(state_.decidedAt).thermalEnergy()
+      : 0;
+
+    // For clay that has spread by a factor: the tolerance of its pressure,
+    // with n kT where platelets move at random
+    const auto longEnough = [&](const scalar spread)
+    {
+        const scalar distance = spread*spacing;
+        const scalar work =
+            distance*mag(law.force(distance - thickness()));
+
+        return spread*colloid::scales::cutOffInSpacings
+        (
+            law,
+            distance,
+            thickness(),
+            properties_.tolerance()*(1 + thermalEnergy/max(work, VSMALL))
+        );
+    };
+
+    // Also as at the edge of a gel, where a larger share is beyond
+    const scalar spacings =
+        min(furthest, max(longEnough(1), longEnough(1.5)));
+
+    // The taper of the last tenth takes about half of what is there
+    return max(spacings, scalar(1.5))/0.95*spacing;
+}
+
+
 void Foam::clayInteractions::chooseCutOff()
 {
-    const scalar spacing = state_.decidedSpacing;
-    const colloid::pairInteraction law(pairLaw(state_.decidedAt));
-
     scalar halfPeriod = GREAT;
     for (direction axis = 0; axis < 3; ++axis)
     {
@@ -190,64 +231,26 @@ void Foam::clayInteractions::chooseCutOff()
         }
     }
 
-    cutOff_ = properties_.cutOff();
-
-    if (cutOff_ > 0)
+    if (properties_.cutOff() > halfPeriod)
     {
-        if (cutOff_ > halfPeriod)
-        {
-            FatalIOErrorInFunction(properties_.dict().subDict("solution"))
-                << "cutOff is " << cutOff_ << " m, but the periodic box is"
-                << " only " << 2*halfPeriod << " m wide." << nl
-                << "    At most half of that, or a larger mesh"
-                << exit(FatalIOError);
-        }
+        FatalIOErrorInFunction(properties_.dict().subDict("solution"))
+            << "cutOff is " << properties_.cutOff() << " m, but the periodic"
+            << " box is only " << 2*halfPeriod << " m wide." << nl
+            << "    At most half of that, or a larger mesh"
+            << exit(FatalIOError);
     }
-    else if
-    (
-        halfPeriod == GREAT && state_.entered <= properties_.maxNeighbours()
-     && properties_.inlets().empty()
-    )
-    {
-        // Few platelets in open space: all pairs, however far they move apart
-        cutOff_ = 1e3*max(scalar(state_.entered), scalar(1))*state_.spacing;
-    }
-    else
-    {
-        const scalar furthest = cbrt
-        (
-            properties_.maxNeighbours()/(4*constant::mathematical::pi/3)
-        );
-        const scalar thermalEnergy =
-            BrownianOn_
-          ? state_.coarseGraining
-           *matter_.waterAt(state_.decidedAt).thermalEnergy()
-          : 0;
 
-        // For clay that has spread by a factor: the tolerance of its pressure,
-        // with n kT where platelets move at random
-        const auto longEnough = [&](const scalar spread)
-        {
-            const scalar distance = spread*spacing;
-            const scalar work =
-                distance*mag(law.force(distance - thickness()));
+    // Few platelets in open space: all pairs, however far they move apart
+    const bool allPairs =
+        properties_.cutOff() < 0
+     && halfPeriod == GREAT
+     && state_.entered <= properties_.maxNeighbours()
+     && properties_.inlets().empty();
 
-            return spread*colloid::scales::cutOffInSpacings
-            (
-                law,
-                distance,
-                thickness(),
-                properties_.tolerance()*(1 + thermalEnergy/max(work, VSMALL))
-            );
-        };
-
-        // Also as at the edge of a gel, where a larger share is beyond
-        const scalar spacings =
-            min(furthest, max(longEnough(1), longEnough(1.5)));
-
-        // The taper of the last tenth takes about half of what is there
-        cutOff_ = min(max(spacings, scalar(1.5))/0.95*spacing, halfPeriod);
-    }
+    cutOff_ =
+        allPairs
+      ? 1e3*max(scalar(state_.entered), scalar(1))*state_.spacing
+      : min(cutOffAt(state_.decidedSpacing), halfPeriod);
 }
 
 
@@ -263,34 +266,36 @@ Foam::scalar Foam::clayInteractions::pressureLeftOut(const scalar time) const
 }
 
 
-void Foam::clayInteractions::chooseEngine()
+plateletDynamics::engineSettings Foam::clayInteractions::engineFor
+(
+    const scalar spacing,
+    const scalar cutOff
+) const
 {
     using plateletDynamics::engineSettings;
 
-    settings_.thickness = thickness()/units_->length();
-    settings_.cutOff = cutOff_/units_->length();
-    settings_.spacing = state_.decidedSpacing/units_->length();
-    settings_.skin = max(properties_.skin(), scalar(0))/units_->length();
-    settings_.pairKernel =
-        properties_.exactKernel() || cutOff_ > 100*state_.decidedSpacing
+    engineSettings settings;
+    settings.thickness = thickness()/units_->length();
+    settings.cutOff = cutOff/units_->length();
+    settings.spacing = spacing/units_->length();
+    settings.skin = max(properties_.skin(), scalar(0))/units_->length();
+    settings.pairKernel =
+        properties_.exactKernel() || cutOff > 100*spacing
       ? engineSettings::kernel::exact
       : engineSettings::kernel::fast;
     // The same from 1e-3 to 1e-2: single precision does not give much more
     const scalar tolerance = properties_.tolerance();
-    settings_.tableTolerance = max(1e-3*tolerance, min(1e-5, 1e-2*tolerance));
-    settings_.integrator = properties_.integrator();
-    settings_.stepTolerance = 1e-1*properties_.tolerance();
-    settings_.deltaT =
+    settings.tableTolerance = max(1e-3*tolerance, min(1e-5, 1e-2*tolerance));
+    settings.integrator = properties_.integrator();
+    settings.stepTolerance = 1e-1*properties_.tolerance();
+    settings.deltaT =
         max(properties_.engineDeltaT(), scalar(0))/units_->time();
-    settings_.bodyForce = reduced(weight_, units_->force());
-    settings_.seed = properties_.seed();
-    settings_.thermalEnergy = 0;
-    settings_.thermalStep = 0;
+    settings.seed = properties_.seed();
 
     if (BrownianOn_)
     {
         const colloid::water water(matter_.waterAt(state_.decidedAt));
-        settings_.thermalEnergy =
+        settings.thermalEnergy =
             state_.coarseGraining*water.thermalEnergy()
            /(units_->force()*units_->length());
 
@@ -301,13 +306,30 @@ void Foam::clayInteractions::chooseEngine()
           ? min
             (
                 state_.coarseGraining/water.inverseDebyeLength(),
-                state_.decidedSpacing
+                spacing
             )
-          : state_.decidedSpacing;
-        settings_.thermalStep =
-            min(pow(properties_.tolerance(), 0.25)*length, 0.1*cutOff_)
+          : spacing;
+        settings.thermalStep =
+            min(pow(properties_.tolerance(), 0.25)*length, 0.1*cutOff)
            /units_->length();
     }
+    return settings;
+}
+
+
+plateletDynamics::engineSettings Foam::clayInteractions::engineAt
+(
+    const scalar spacing
+) const
+{
+    plateletDynamics::engineSettings settings
+    (
+        engineFor(spacing, cutOffAt(spacing))
+    );
+
+    // A step for the case may be too long here
+    settings.deltaT = 0;
+    return settings;
 }
 
 

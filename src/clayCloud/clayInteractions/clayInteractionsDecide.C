@@ -81,7 +81,8 @@ void Foam::clayInteractions::decide()
     decideEffects();
     decideFriction();
     chooseCutOff();
-    chooseEngine();
+    settings_ = engineFor(state_.decidedSpacing, cutOff_);
+    settings_.bodyForce = reduced(weight_, units_->force());
 }
 
 

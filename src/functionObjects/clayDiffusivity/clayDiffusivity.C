@@ -27,6 +27,9 @@ using namespace Foam;
 
 const wordList methodNames({"pointwise", "leastSquares", "equilibrium"});
 
+//- Change of the salt's concentration from which on another equilibrium counts
+constexpr scalar otherWater = 0.01;
+
 } // End anonymous namespace
 
 
@@ -43,7 +46,8 @@ Foam::functionObjects::clayDiffusivity::clayDiffusivity
     wantedPieces_(label(0)),
     axes_(mesh_),
     gradient_(mesh_, axes_),
-    pieces_(0)
+    pieces_(0),
+    concentration_(0)
 {
     read(dict);
 }
@@ -80,6 +84,7 @@ bool Foam::functionObjects::clayDiffusivity::read(const dictionary& dict)
         wordList
         ({
             "methods", "fractions", "bins", "spacing", "margin", "pieces",
+            "equilibrium",
             // Of all function objects
             "type", "libs", "functionObjectLibs", "enabled", "log", "region",
             "timeStart", "timeEnd", "executeControl", "executeInterval",
@@ -154,8 +159,13 @@ bool Foam::functionObjects::clayDiffusivity::read(const dictionary& dict)
         }
     }
 
+    equilibrium_.reset
+    (
+        new osmoticDiffusivity(dict.subOrEmptyDict("equilibrium"))
+    );
+
     fits_.clear();
-    pieceOf_.clear();
+    concentration_ = 0;
     return true;
 }
 
@@ -327,7 +337,21 @@ Foam::diffusivityTable Foam::functionObjects::clayDiffusivity::tableOf
     const word& method
 )
 {
-    return fits_.found(method) ? fits_[method]->table() : diffusivityTable();
+    if (method != "equilibrium")
+    {
+        return fits_.found(method) ? fits_[method]->table() : diffusivityTable();
+    }
+
+    const scalar time = time_.value();
+    const scalar concentration = cloud().matter().waterAt(time).concentration;
+
+    if (mag(concentration - concentration_) > otherWater*concentration)
+    {
+        atEquilibrium_ =
+            equilibrium_->table(cloud().interactions(), time, *bins_);
+        concentration_ = concentration;
+    }
+    return atEquilibrium_;
 }
 
 

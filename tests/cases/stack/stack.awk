@@ -11,6 +11,9 @@
 #   -v task=period|time -v n=12        length of the stack [m], duration [s]
 #   -v task=diffusivity -v fraction=0.01 -v c=0.1 -v neighbours=40
 #                                      D [m2/s] with that many on each side
+#   -v task=lattice -v fraction=0.01 -v c=0.1 -v neighbours=3
+#                                      (1/xi) dp/dn [m2/s] of a simple cubic lattice,
+#                                      with that many along each edge to each side
 #   -v task=error -v n=12  FILE        FILE has a line "x y z" for each sheet:
 #                                      rms error of delta/spacing, relative
 
@@ -32,6 +35,18 @@ function force(h,   atMiddle, atOther, s, ddl, vdw)
 }
 
 function slope(h) { return (force(h*1.0001) - force(h*0.9999))/(0.0002*h) }
+
+# Osmotic pressure of a simple cubic lattice without random motion
+function ofLattice(fraction,   edge, i, j, k, r, sum)
+{
+    edge = (Sp*delta/fraction)^(1/3)
+    for (i = -neighbours; i <= neighbours; ++i)
+        for (j = -neighbours; j <= neighbours; ++j)
+            for (k = -neighbours; k <= neighbours; ++k)
+                if ((r = edge*sqrt(i*i + j*j + k*k)) > 0)
+                    sum += r*force(r - delta)
+    return sum/(6*edge^3)
+}
 
 function D(phi,   h) { h = delta/phi - delta; return -(h + delta)^2/xi*slope(h) }
 
@@ -90,6 +105,9 @@ BEGIN {
             sum -= (j*delta/fraction)^2/xi*slope(j*delta/fraction - delta)
         printf "%.10g\n", sum
     }
+    if (task == "lattice")
+        printf "%.10g\n", (ofLattice(fraction*1.0001) - ofLattice(fraction*0.9999)) \
+            /(0.0002*fraction/(Sp*delta))/xi
     if (task == "period") printf "%.17g\n", P
     if (task == "time") printf "%.17g\n", duration
     if (task == "places")
