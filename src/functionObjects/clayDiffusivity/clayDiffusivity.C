@@ -41,7 +41,7 @@ Foam::functionObjects::clayDiffusivity::clayDiffusivity
 )
 :
     fvMeshFunctionObject(name, runTime, dict),
-    writeFile(mesh_, name, name, dict),
+    writeFile(mesh_, name),
     margin_(-1),
     wantedPieces_(label(0)),
     axes_(mesh_),
