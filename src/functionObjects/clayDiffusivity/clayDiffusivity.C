@@ -399,7 +399,7 @@ bool Foam::functionObjects::clayDiffusivity::write()
                 << " and times for an error" << nl << endl;
             continue;
         }
-        if (Pstream::master())
+        if (Pstream::master() && writeToFile())
         {
             const string title("Diffusivity of clay by " + method);
             table.write(baseTimeDir()/method + ".dat", title, false);

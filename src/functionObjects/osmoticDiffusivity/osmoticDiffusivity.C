@@ -41,7 +41,13 @@ Foam::osmoticDiffusivity::osmoticDiffusivity(const dictionary& dict)
         dict_.getOrDefault<word>("arrangement", "auto"),
         wordList({"auto", "random", "lattice", "stack"})
     );
-    platelets_ = label(readInRange(dict_, "platelets", 500, 8, 1e6, "(-)"));
+    platelets_ = label
+    (
+        readInRange
+        (
+            dict_, "platelets", 500, 8, suspensionBox::mostPlatelets, "(-)"
+        )
+    );
     accuracy_ = readInRange(dict_, "accuracy", 0.003, 1e-6, 0.5, "(-)");
     difference_ = readInRange(dict_, "difference", 0.1, 1e-3, 0.5, "(-)");
     mostSteps_ = label(readInRange(dict_, "maxSteps", 1e5, 1, 1e9, "(-)"));

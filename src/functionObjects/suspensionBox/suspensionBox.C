@@ -102,6 +102,17 @@ Foam::suspensionBox::suspensionBox
     // Two cut-offs and a little wide
     const scalar room = 2.02*settings.cutOff*units_.length()/spacing;
 
+    if ((inRow ? room : pow3(room)) > mostPlatelets)
+    {
+        FatalErrorInFunction
+            << "At the solid fraction " << fraction << " the cut-off of "
+            << settings.cutOff*units_.length() << " m is "
+            << room/2.02 << " spacings: two of them need a box of more than "
+            << mostPlatelets << " platelets." << nl
+            << "    Say cutOff auto (clayCloudProperties), or leave out the"
+            << " method equilibrium" << exit(FatalError);
+    }
+
     edgeNumber_ = label(std::ceil(max(room, Foam::cbrt(scalar(atLeast)))));
     number_ =
         inRow ? max(atLeast, label(std::ceil(room)))
