@@ -6,7 +6,6 @@
 #include "clayDiffusivity.H"
 #include "addToRunTimeSelectionTable.H"
 #include "checkWords.H"
-#include "patchWave.H"
 #include "readInRange.H"
 #include "volFields.H"
 #include "zeroGradientFvPatchFields.H"
@@ -46,7 +45,6 @@ Foam::functionObjects::clayDiffusivity::clayDiffusivity
     wantedPieces_(label(0)),
     axes_(mesh_),
     gradient_(mesh_, axes_),
-    pieces_(0),
     concentration_(0)
 {
     read(dict);
@@ -109,11 +107,11 @@ bool Foam::functionObjects::clayDiffusivity::read(const dictionary& dict)
     (
         dict.get<FixedList<scalar, 2>>("fractions")
     );
-    if (!(fractions[0] > 0 && fractions[0] < fractions[1] && fractions[1] < 1))
+    if (!(fractions[0] > 0 && fractions[0] < fractions[1] && fractions[1] <= 0.5))
     {
         FatalIOErrorInFunction(dict)
             << "fractions are " << flatOutput(fractions) << "; they should be"
-            << " two between 0 and 1, the lower one first"
+            << " two between 0 and 0.5, the lower one first"
             << exit(FatalIOError);
     }
 
@@ -170,71 +168,21 @@ bool Foam::functionObjects::clayDiffusivity::read(const dictionary& dict)
 }
 
 
-void Foam::functionObjects::clayDiffusivity::divide()
+void Foam::functionObjects::clayDiffusivity::begin()
 {
     const scalar filterLength = cloud().interactions().filterLength();
-    const scalar margin = margin_ < 0 ? filterLength : margin_;
 
-    FixedList<label, 3> number(wantedPieces_);
-    for (direction axis = 0; axis < 3; ++axis)
-    {
-        if (number[axis] == 0)
-        {
-            const scalar widths =
-                (axes_.upper(axis) - axes_.lower(axis))/(2*filterLength);
-            number[axis] = label(max(scalar(1), min(widths, scalar(4))));
-        }
-    }
-    pieces_ = number[0]*number[1]*number[2];
-
-    pieceOf_.setSize(mesh_.nCells());
-    forAll(pieceOf_, celli)
-    {
-        FixedList<label, 3> at;
-        for (direction axis = 0; axis < 3; ++axis)
-        {
-            const scalar share =
-                (mesh_.C()[celli][axis] - axes_.lower(axis))
-               /(axes_.upper(axis) - axes_.lower(axis));
-            at[axis] =
-                max(label(0), min(label(share*number[axis]), number[axis] - 1));
-        }
-        pieceOf_[celli] = at[0] + number[0]*(at[1] + number[1]*at[2]);
-    }
-
-    labelHashSet patches;
-    for (const polyPatch& patch : mesh_.boundaryMesh())
-    {
-        if (!patch.coupled() && patch.type() != "empty")
-        {
-            patches.insert(patch.index());
-        }
-    }
-    if (margin > 0 && patches.size())
-    {
-        const patchWave toPatches(mesh_, patches);
-        forAll(pieceOf_, celli)
-        {
-            if (toPatches.distance()[celli] < margin)
-            {
-                pieceOf_[celli] = -1;
-            }
-        }
-    }
-
-    label counting = 0;
-    for (const label piece : pieceOf_)
-    {
-        counting += piece >= 0;
-    }
-    if (returnReduce(counting, sumOp<label>()) == 0)
-    {
-        FatalErrorInFunction
-            << "No cell of " << name() << " counts: all are nearer than "
-            << margin << " m to a patch." << nl
-            << "    A smaller margin (the filter's length is " << filterLength
-            << " m), or margin 0" << exit(FatalError);
-    }
+    pieces_.reset
+    (
+        new meshPieces
+        (
+            mesh_,
+            axes_,
+            wantedPieces_,
+            2*filterLength,
+            margin_ < 0 ? filterLength : margin_
+        )
+    );
 
     for (const word& method : methods_)
     {
@@ -246,7 +194,7 @@ void Foam::functionObjects::clayDiffusivity::divide()
                 new fluxFit
                 (
                     *bins_,
-                    pieces_,
+                    pieces_->size(),
                     method == "pointwise"
                   ? fluxFit::weighting::pointwise
                   : fluxFit::weighting::leastSquares
@@ -296,9 +244,10 @@ bool Foam::functionObjects::clayDiffusivity::execute()
     }
     if (fits_.empty())
     {
-        divide();
+        begin();
     }
 
+    const labelList& pieceOf = pieces_->pieceOf();
     const scalarField& alpha = lookupObject<volScalarField>("alpha.clay");
     const vectorField gradient(gradient_.gradient(alpha));
     const vectorField q(flux(gradient));
@@ -308,13 +257,13 @@ bool Foam::functionObjects::clayDiffusivity::execute()
         fluxFit& fit = **iter;
         fit.nextSample();
 
-        forAll(pieceOf_, celli)
+        forAll(pieceOf, celli)
         {
-            if (pieceOf_[celli] >= 0)
+            if (pieceOf[celli] >= 0)
             {
                 fit.add
                 (
-                    pieceOf_[celli],
+                    pieceOf[celli],
                     mesh_.V()[celli],
                     alpha[celli],
                     q[celli],
