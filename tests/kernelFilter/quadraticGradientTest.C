@@ -268,7 +268,7 @@ TEST(quadraticGradient, reachesAcrossPeriods)
     const scalar coarse = error(16);
     const scalar fine = error(32);
 
-    // Of the gradient's amplitude 2 pi; one-sided at the seam it is 4 times that
+    // Of the gradient's amplitude, 2 pi
     EXPECT_LT(fine, 0.02*constant::mathematical::twoPi);
     EXPECT_GT(Foam::log(coarse/fine)/Foam::log(2.0), 1.8);
 }

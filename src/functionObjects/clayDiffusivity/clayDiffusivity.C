@@ -107,7 +107,9 @@ bool Foam::functionObjects::clayDiffusivity::read(const dictionary& dict)
     (
         dict.get<FixedList<scalar, 2>>("fractions")
     );
-    if (!(fractions[0] > 0 && fractions[0] < fractions[1] && fractions[1] <= 0.5))
+    const scalar most = fractions[1];
+
+    if (!(fractions[0] > 0 && fractions[0] < most && most <= 0.5))
     {
         FatalIOErrorInFunction(dict)
             << "fractions are " << flatOutput(fractions) << "; they should be"
@@ -288,7 +290,8 @@ Foam::diffusivityTable Foam::functionObjects::clayDiffusivity::tableOf
 {
     if (method != "equilibrium")
     {
-        return fits_.found(method) ? fits_[method]->table() : diffusivityTable();
+        return
+            fits_.found(method) ? fits_[method]->table() : diffusivityTable();
     }
 
     const scalar time = time_.value();

@@ -159,7 +159,8 @@ Foam::diffusivityTable Foam::fluxFit::table() const
             }
         }
 
-        const scalar squared = max(variance(byPiece, all), variance(byTime, all));
+        const scalar squared =
+            max(variance(byPiece, all), variance(byTime, all));
         if (squared < 0)
         {
             continue;

@@ -177,7 +177,8 @@ Foam::pointField Foam::suspensionBox::places
 
     if (arrangement_ != arrangement::random)
     {
-        const label n = arrangement_ == arrangement::stack ? number_ : edgeNumber_;
+        const label n =
+            arrangement_ == arrangement::stack ? number_ : edgeNumber_;
         forAll(result, i)
         {
             const vector cell(i%n, i/n%n, i/(n*n));
@@ -187,7 +188,10 @@ Foam::pointField Foam::suspensionBox::places
     }
 
     std::mt19937_64 random(seed);
-    const auto uniform = [&] { return std::ldexp(scalar(random() >> 11), -53); };
+    const auto uniform = [&]
+    {
+        return std::ldexp(scalar(random() >> 11), -53);
+    };
     const scalar nearest = nearestPlaces*Foam::cbrt(volume_/number_);
 
     for (label placed = 0; placed < number_;)

@@ -47,7 +47,7 @@ void Foam::quadraticGradient::makeStencils(const polyMesh& mesh)
         neighbours[celli] = cells;
     }
 
-    // The neighbours' neighbours: what each cell knows, sent to where it is asked
+    // The neighbours' neighbours: what each cell knows, to where it is asked
     labelListList asked(neighbours);
     List<Map<label>> compact(Pstream::nProcs());
     const mapDistribute toNeighbours(numbering, asked, compact);
