@@ -156,8 +156,9 @@ if speed > 0:
     shown.Position = [-0.425*width/columns, 0, 2*depth]
 
 label = Text()
-label.Text = 'time %.4g %s, %d platelets; arrows: water, longest %.3g mm/s' % (
-    *((1e3*time, 'ms') if time < 1 else (time, 's')), number, speed)
+label.Text = 'time %.4g %s, %d platelets; %s' % (
+    *((1e3*time, 'ms') if time < 1 else (time, 's')), number,
+    'arrows: water, longest %.3g mm/s' % speed if speed > 0 else 'water at rest')
 shown = Show(label, view)
 shown.Color = [0, 0, 0]
 shown.FontSize = 20
