@@ -97,15 +97,25 @@ Foam::rowsById Foam::functionObjects::h5Trajectory::rows() const
     labelList ids(cloud.size());
     List<vectorField> columns(fields_.size(), vectorField(cloud.size()));
 
+    // Those in the layers of inlets are outside the mesh
     label row = 0;
     for (const clayPlatelet& platelet : cloud)
     {
+        if (!platelet.inWater())
+        {
+            continue;
+        }
         ids[row] = platelet.state().id;
         forAll(fields_, i)
         {
             columns[i][row] = valueOf(platelet, fields_[i]);
         }
         ++row;
+    }
+    ids.setSize(row);
+    for (vectorField& column : columns)
+    {
+        column.setSize(row);
     }
     return rowsById(std::move(ids), std::move(columns));
 }
