@@ -157,6 +157,33 @@ TEST(scales, nothingBeyondTheRangeExceedsTheTolerance)
 }
 
 
+// Next neighbours alone at c = 1 (the others add 1e-3), F/L^2; 53.8 Pa at c = 0.1 by
+// an independent calculation with a cut-off
+TEST(scales, latticePressureIsThatOfACubicLattice)
+{
+    const platelet clay;
+    water solution;
+
+    const auto pressure = [&](const scalar c, const scalar spacing)
+    {
+        solution.concentration = c;
+        const compressionDoubleLayer layer(clay, solution);
+        const pairInteraction pair(clay, solution, &layer, nullptr);
+        return std::make_pair
+        (
+            scales::latticePressure(pair, spacing, clay.thickness),
+            pair.force(spacing - clay.thickness)/sqr(spacing)
+        );
+    };
+
+    const auto near = pressure(1, std::cbrt(clay.volume()/0.005));
+    EXPECT_NEAR(near.first, near.second, 2e-3*near.second);
+
+    const auto far = pressure(0.1, std::cbrt(clay.volume()/0.0054093));
+    EXPECT_NEAR(far.first, 53.8, 0.015*53.8);
+}
+
+
 // Against the sum over a simple cubic lattice, of shells beyond the distance.
 // The integral spreads the shells evenly: a third either way
 TEST(scales, pressureBeyondTheCutOffIsThatOfALattice)

@@ -20,7 +20,10 @@ namespace
 //- Time of the controller in relaxation times, and that of its integral part in
 //  these
 constexpr Foam::scalar slowness = 3;
-constexpr Foam::scalar slowlier = 20;
+constexpr Foam::scalar slowlier = 10;
+
+//- Share that may be missing from a layer that is filled
+constexpr Foam::scalar nearly = 0.1;
 
 } // End anonymous namespace
 
@@ -51,9 +54,11 @@ Foam::scalar Foam::reservoirInlet::wanted
     const scalar number = numberIn(2);
     const scalar missing = number - now.atPatch;
 
-    // Not more than what the layer would hold in the time
-    missed_ += missing*deltaT/(slowlier*time);
-    missed_ = min(max(missed_, -number), number);
+    // Not while a layer is filled: what is missing then is not missing later
+    if (mag(missing) < nearly*number)
+    {
+        missed_ += missing*deltaT/(slowlier*time);
+    }
 
     return (missing + missed_)*deltaT/time;
 }
