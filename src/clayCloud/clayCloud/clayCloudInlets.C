@@ -141,7 +141,7 @@ void Foam::clayCloud::takeOut(const label inleti, const labelUList& ids)
             deleteParticle(platelet);
         }
     }
-    state_.left(inlets_[inleti].name(), 0) += ids.size();
+    state_.left(clayState::layerOf(inlets_[inleti].name()), 0) += ids.size();
 }
 
 

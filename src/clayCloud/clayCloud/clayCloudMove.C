@@ -278,9 +278,12 @@ void Foam::clayCloud::takeBack()
     {
         if (left[i])
         {
-            const word& from =
+            const word from
+            (
                 i < nPatches
-              ? mesh_.boundaryMesh()[i].name() : inlets_[i - nPatches].name();
+              ? mesh_.boundaryMesh()[i].name()
+              : clayState::layerOf(inlets_[i - nPatches].name())
+            );
             state_.left(from, 0) += left[i];
         }
     }

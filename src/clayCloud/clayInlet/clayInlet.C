@@ -24,7 +24,7 @@ using namespace Foam;
 constexpr label tries = 40;
 
 //- Time between two calls of supply, in relaxation times
-constexpr scalar intervalInRelaxations = 0.2;
+constexpr scalar intervalInRelaxations = 0.5;
 
 
 label patchNumber(const polyMesh& mesh, const dictionary& dict)
