@@ -120,6 +120,83 @@ TEST(rocks, actFromTheNearestPoint)
 }
 
 
+TEST(rocks, thatAreRoundActAsTheirCircleLessTheChordError)
+{
+    // A pipe of flat strips, and the same as a pillar: where the force says that
+    // the wall is, at 0.3 from it all around, against the circle
+    const double radius = 2;
+    const double away = 0.3;
+
+    // Largest and smallest distance too much
+    const auto errors = [&](int strips, bool pillar)
+    {
+        boundarySurface surface;
+        const auto at = [&](int i, double z)
+        {
+            const double angle = 2*M_PI*(i % strips)/strips;
+            return vector
+            (
+                radius*std::cos(angle), radius*std::sin(angle), z
+            );
+        };
+        for (int i = 0; i < strips; ++i)
+        {
+            const int a = pillar ? i : i + 1;
+            const int b = pillar ? i + 1 : i;
+            addTriangle(surface, at(a, -3), at(b, -3), at(b, 3));
+            addTriangle(surface, at(a, -3), at(b, 3), at(a, 3));
+        }
+
+        std::vector<vector> places;
+        for (int k = 0; k < 97; ++k)
+        {
+            const double angle = 0.001 + 2*M_PI*k/97;
+            places.push_back
+            (
+                (radius + (pillar ? away : -away))
+               *vector(std::cos(angle), std::sin(angle), 0)
+            );
+        }
+        const auto force =
+            wallForcesAt(places, openSpace, surface, repulsion(), settings());
+
+        std::pair<double, double> found(1, -1);
+        for (std::size_t k = 0; k < places.size(); ++k)
+        {
+            // F = exp(-3 (distance - 0.05))
+            const double distance = 0.05 - std::log(force[k].norm())/3;
+            found.first = std::min(found.first, distance - away);
+            found.second = std::max(found.second, distance - away);
+
+            // At most half the bend between two strips off the radius
+            const vector outwards(places[k].normalized()*(pillar ? 1 : -1));
+            EXPECT_GT
+            (
+                force[k].dot(outwards),
+                (std::cos(M_PI/strips) - 1e-12)*force[k].norm()
+            );
+        }
+        return found;
+    };
+
+    for (const int strips : {24, 48})
+    {
+        // Width^2/(8 radius), of which the middle of some strip is 1 % short
+        const double sagitta = radius*(1 - std::cos(M_PI/strips));
+        const double width = 2*radius*std::sin(M_PI/strips);
+        EXPECT_NEAR(sagitta, width*width/(8*radius), 0.01*sagitta);
+
+        const auto pipe = errors(strips, false);
+        EXPECT_LT(pipe.second, 1e-12);
+        EXPECT_NEAR(pipe.first, -sagitta, 0.01*sagitta);
+
+        const auto pillar = errors(strips, true);
+        EXPECT_GT(pillar.first, -1e-12);
+        EXPECT_NEAR(pillar.second, sagitta, 0.01*sagitta);
+    }
+}
+
+
 TEST(rocks, actTheSameWhileListsAreKept)
 {
     // Carried past a rough surface within half of a large skin, against lists

@@ -230,6 +230,61 @@ TEST(walls, ofASheetOfRockDoNotActThroughIt)
 }
 
 
+TEST(walls, withoutThicknessActOnBothSides)
+{
+    // A baffle: two walls at the same place, back to back
+    boundarySurface baffle;
+    addSheet
+    (
+        baffle, vector(-5, -5, 0), vector(10, 0, 0), vector(0, 10, 0),
+        action::platelet, 6
+    );
+    addSheet
+    (
+        baffle, vector(-5, -5, 0), vector(0, 10, 0), vector(10, 0, 0),
+        action::platelet, 6
+    );
+
+    const auto force = wallForcesAt
+    (
+        {vector(0.3, 0.2, 0.3), vector(0.3, 0.2, -0.4), vector(0.3, 0.2, 0.01)},
+        openSpace, baffle, mixedForce(), settings()
+    );
+
+    EXPECT_LT((force[0] - vector(0, 0, planeForce(0.3))).norm(), 1e-14);
+    EXPECT_LT((force[1] + vector(0, 0, planeForce(0.4))).norm(), 1e-14);
+    EXPECT_LT((force[2] - vector(0, 0, planeForce(0.01))).norm(), 1e-14);
+}
+
+
+TEST(walls, nearerThanAPlateletIsThickPushToTheMiddle)
+{
+    boundarySurface slit;
+    addSheet
+    (
+        slit, vector(-5, -5, 0), vector(10, 0, 0), vector(0, 10, 0),
+        action::platelet, 3
+    );
+    addSheet
+    (
+        slit, vector(-5, -5, 0.06), vector(0, 10, 0), vector(10, 0, 0),
+        action::platelet, 3
+    );
+
+    const auto force = wallForcesAt
+    (
+        {vector(0.3, 0.2, 0.02), vector(0.3, 0.2, 0.03), vector(0.3, 0.2, 0.04)},
+        openSpace, slit, mixedForce(), settings()
+    );
+
+    const double back = planeForce(0.02) - planeForce(0.04);
+    EXPECT_GT(back, 0);
+    EXPECT_LT((force[0] - vector(0, 0, back)).norm(), 1e-14);
+    EXPECT_LT(force[1].norm(), 1e-14);
+    EXPECT_LT((force[2] + vector(0, 0, back)).norm(), 1e-14);
+}
+
+
 TEST(walls, letNoForceOfPairsThrough)
 {
     // Two platelets on either side of a thin rock, and two on the same side

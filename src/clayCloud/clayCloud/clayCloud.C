@@ -9,6 +9,7 @@
 #include "fvMesh.H"
 #include "Pstream.H"
 #include "uniformDimensionedFields.H"
+#include "wallResolution.H"
 #include "waterLimits.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -118,6 +119,8 @@ Foam::clayCloud::clayCloud
 {
     checkState();
     findInlets();
+    checkFilterLength();
+    wallResolution::check(mesh, properties_, state_.spacing);
     clayPlatelet::readFields(*this);
     checkCount(labelList());
     const reducedUnits& units = interactions_.units();
@@ -172,7 +175,6 @@ Foam::clayCloud::clayCloud
     interactions_.print(Info, engine_->kernelName());
     waterLimits::print(Info, mesh, properties_);
     printInlets(Info);
-    checkFilterLength();
 
     // A restart goes on with the fields of its time (the filter in time has a
     // memory); a start makes them
@@ -187,55 +189,6 @@ Foam::clayCloud::clayCloud
         // else than the neighbour's values
         alpha_.correctBoundaryConditions();
         Uclay_.correctBoundaryConditions();
-    }
-}
-
-
-void Foam::clayCloud::checkState() const
-{
-    const scalar asked = properties_.coarseGraining();
-
-    if (asked > 0 && mag(asked - state_.coarseGraining) > SMALL*asked)
-    {
-        FatalIOErrorInFunction(properties_.dict())
-            << "coarseGraining is " << asked << " here, but setClay placed"
-            << " the clay with " << state_.coarseGraining << " ("
-            << state_.objectPath() << ")." << nl
-            << "    Run setClay again or put " << state_.coarseGraining
-            << " here" << exit(FatalIOError);
-    }
-}
-
-
-void Foam::clayCloud::checkFilterLength() const
-{
-    const scalar widest = Foam::cbrt(gMax(mesh_.V().field()));
-
-    if (interactions_.filterLength() < widest)
-    {
-        WarningInFunction
-            << "The filter length of " << interactions_.filterLength()
-            << " m is less than the width of the largest cells, " << widest
-            << " m:" << nl << "    there each platelet counts in its own cell"
-            << " alone, and alpha.clay is coarse." << nl
-            << "    Smaller cells, or a larger filter length"
-            << " (clayCloudProperties)" << nl << endl;
-    }
-}
-
-
-void Foam::clayCloud::checkFraction()
-{
-    const scalar most = gMax(alpha_.primitiveField());
-
-    if (most > 1 && !crowded_)
-    {
-        crowded_ = true;
-        WarningInFunction
-            << "alpha.clay reaches " << most << ", more clay than room; where"
-            << " friction follows it, it counts as 0.99 there." << nl
-            << "    Larger cells, a larger filter length (clayCloudProperties)"
-            << " or fewer platelets (setClayDict)" << nl << endl;
     }
 }
 
@@ -328,57 +281,6 @@ Foam::scalar Foam::clayCloud::maxDeltaT(const scalar filterLengths) const
 Foam::label Foam::clayCloud::number() const
 {
     return returnReduce(size(), sumOp<label>());
-}
-
-
-void Foam::clayCloud::checkCount(const labelUList& idsBefore) const
-{
-    const label inside = number();
-
-    if (inside + state_.allLeft() == state_.entered)
-    {
-        return;
-    }
-
-    // All ids before the step, less those that left and those that are inside
-    List<labelList> before(Pstream::nProcs());
-    List<labelList> after(Pstream::nProcs());
-    before[Pstream::myProcNo()] = idsBefore;
-
-    DynamicList<label> accounted(size());
-    for (const clayPlatelet& platelet : *this)
-    {
-        accounted.append(platelet.state().id);
-    }
-    // Before the first step there is no engine yet
-    if (engine_)
-    {
-        for (const plateletDynamics::departure& gone : engine_->departures())
-        {
-            accounted.append(gone.id);
-        }
-    }
-    after[Pstream::myProcNo()] = accounted;
-    Pstream::gatherList(before);
-    Pstream::gatherList(after);
-
-    labelHashSet missing;
-    for (const labelList& ids : before)
-    {
-        missing.insert(ids);
-    }
-    for (const labelList& ids : after)
-    {
-        missing.unset(ids);
-    }
-
-    FatalErrorInFunction
-        << "Platelets do not add up: " << state_.entered << " entered, "
-        << inside << " are inside and " << state_.allLeft() << " left." << nl
-        << "    Missing ids: " << missing.sortedToc() << nl
-        << "    (at a start: a file of " << mesh_.time().timeName()
-        << "/lagrangian/clay is missing or of another run)"
-        << exit(FatalError);
 }
 
 

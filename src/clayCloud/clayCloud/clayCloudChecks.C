@@ -1,0 +1,159 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    What a cloud refuses, or warns of, in a case and in its own doings.
+\*---------------------------------------------------------------------------*/
+
+#include "clayCloud.H"
+
+#include "fvMesh.H"
+#include "Pstream.H"
+
+
+void Foam::clayCloud::checkState() const
+{
+    const scalar asked = properties_.coarseGraining();
+
+    if (asked > 0 && mag(asked - state_.coarseGraining) > SMALL*asked)
+    {
+        FatalIOErrorInFunction(properties_.dict())
+            << "coarseGraining is " << asked << " here, but setClay placed"
+            << " the clay with " << state_.coarseGraining << " ("
+            << state_.objectPath() << ")." << nl
+            << "    Run setClay again or put " << state_.coarseGraining
+            << " here" << exit(FatalIOError);
+    }
+}
+
+
+void Foam::clayCloud::checkFilterLength() const
+{
+    const scalar length = interactions_.filterLength();
+    const bool given = properties_.filterLength() > 0;
+
+    // How far a kernel sees nothing twice, along the widest and the narrowest
+    // axis of the mesh
+    scalar widest = 0;
+    scalar narrowest = GREAT;
+    for (direction axis = 0; axis < 3; ++axis)
+    {
+        const scalar extent =
+            axes_.periodic(axis)
+          ? 0.5*axes_.period(axis) : axes_.upper(axis) - axes_.lower(axis);
+        widest = max(widest, extent);
+        narrowest = min(narrowest, extent);
+    }
+
+    // Without clay there is no spacing. What setClay wrote has fewer digits
+    const bool anyClay = state_.entered > 0 || inlets_.size();
+
+    if (given && anyClay && length < (1 - 1e-6)*state_.spacing)
+    {
+        FatalIOErrorInFunction(properties_.dict().subDict("filter"))
+            << "The filter length of " << length << " m is less than the mean"
+            << " spacing of " << state_.spacing << " m:" << nl
+            << "    alpha.clay would show single platelets. Take auto, "
+            << 3*state_.spacing << " m, or at least the spacing"
+            << exit(FatalIOError);
+    }
+    if (given && length > widest)
+    {
+        FatalIOErrorInFunction(properties_.dict().subDict("filter"))
+            << "The filter length of " << length << " m is larger than the mesh"
+            << " (or half of a period of it), " << widest << " m along its"
+            << " longest axis:" << nl
+            << "    alpha.clay would be the same everywhere. Take at most "
+            << widest << " m, or auto, " << 3*state_.spacing << " m"
+            << exit(FatalIOError);
+    }
+    if (length > widest || (given && length > narrowest))
+    {
+        WarningInFunction
+            << "The filter length of " << length << " m is larger than the mesh"
+            << " (or half of a period of it), " << narrowest << " m along its"
+            << " shortest axis:" << nl
+            << "    alpha.clay is a mean across it" << nl << endl;
+    }
+
+    const scalar widestCell = Foam::cbrt(gMax(mesh_.V().field()));
+
+    if (length < widestCell)
+    {
+        WarningInFunction
+            << "The filter length of " << length
+            << " m is less than the width of the largest cells, " << widestCell
+            << " m:" << nl << "    there each platelet counts in its own cell"
+            << " alone, and alpha.clay is coarse." << nl
+            << "    Smaller cells, or a larger filter length"
+            << " (clayCloudProperties)" << nl << endl;
+    }
+}
+
+
+void Foam::clayCloud::checkFraction()
+{
+    const scalar most = gMax(alpha_.primitiveField());
+
+    if (most > 1 && !crowded_)
+    {
+        crowded_ = true;
+        WarningInFunction
+            << "alpha.clay reaches " << most << ", more clay than room; where"
+            << " friction follows it, it counts as 0.99 there." << nl
+            << "    Larger cells, a larger filter length (clayCloudProperties)"
+            << " or fewer platelets (setClayDict)" << nl << endl;
+    }
+}
+
+
+void Foam::clayCloud::checkCount(const labelUList& idsBefore) const
+{
+    const label inside = number();
+
+    if (inside + state_.allLeft() == state_.entered)
+    {
+        return;
+    }
+
+    // All ids before the step, less those that left and those that are inside
+    List<labelList> before(Pstream::nProcs());
+    List<labelList> after(Pstream::nProcs());
+    before[Pstream::myProcNo()] = idsBefore;
+
+    DynamicList<label> accounted(size());
+    for (const clayPlatelet& platelet : *this)
+    {
+        accounted.append(platelet.state().id);
+    }
+    // Before the first step there is no engine yet
+    if (engine_)
+    {
+        for (const plateletDynamics::departure& gone : engine_->departures())
+        {
+            accounted.append(gone.id);
+        }
+    }
+    after[Pstream::myProcNo()] = accounted;
+    Pstream::gatherList(before);
+    Pstream::gatherList(after);
+
+    labelHashSet missing;
+    for (const labelList& ids : before)
+    {
+        missing.insert(ids);
+    }
+    for (const labelList& ids : after)
+    {
+        missing.unset(ids);
+    }
+
+    FatalErrorInFunction
+        << "Platelets do not add up: " << state_.entered << " entered, "
+        << inside << " are inside and " << state_.allLeft() << " left." << nl
+        << "    Missing ids: " << missing.sortedToc() << nl
+        << "    (at a start: a file of " << mesh_.time().timeName()
+        << "/lagrangian/clay is missing or of another run)"
+        << exit(FatalError);
+}
