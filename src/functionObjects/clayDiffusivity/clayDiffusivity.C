@@ -277,6 +277,7 @@ bool Foam::functionObjects::clayDiffusivity::execute()
 
     if (has("pointwise"))
     {
+        gradientNow_ = gradient;
         pointwise_ = -(q & gradient)/max(magSqr(gradient), VSMALL);
     }
     return true;
@@ -307,13 +308,15 @@ Foam::diffusivityTable Foam::functionObjects::clayDiffusivity::tableOf
 }
 
 
+template<class Type>
 void Foam::functionObjects::clayDiffusivity::writeField
 (
     const word& name,
-    const scalarField& values
+    const dimensionSet& dimensions,
+    const Field<Type>& values
 ) const
 {
-    volScalarField field
+    GeometricField<Type, fvPatchField, volMesh> field
     (
         IOobject
         (
@@ -325,8 +328,8 @@ void Foam::functionObjects::clayDiffusivity::writeField
             false
         ),
         mesh_,
-        dimensionedScalar(sqr(dimLength)/dimTime, Zero),
-        zeroGradientFvPatchScalarField::typeName
+        dimensioned<Type>(dimensions, Zero),
+        zeroGradientFvPatchField<Type>::typeName
     );
     field.primitiveFieldRef() = values;
     field.correctBoundaryConditions();
@@ -367,13 +370,14 @@ bool Foam::functionObjects::clayDiffusivity::write()
             {
                 D[celli] = table.at(alpha[celli]);
             }
-            writeField("D.clay", D);
+            writeField("D.clay", sqr(dimLength)/dimTime, D);
         }
     }
 
     if (pointwise_.size() == mesh_.nCells() && has("pointwise"))
     {
-        writeField("D.clay.pointwise", pointwise_);
+        writeField("D.clay.pointwise", sqr(dimLength)/dimTime, pointwise_);
+        writeField("alpha.clay.gradient", dimless/dimLength, gradientNow_);
     }
     return true;
 }
