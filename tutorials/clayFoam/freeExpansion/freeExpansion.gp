@@ -1,13 +1,15 @@
 # bentoFoam, GPL-3.0-or-later
 # Along the line through the middle of the block, at 1e-4 s: what TR-17-13 shows
-# in Fig. 3-10 ... 3-13, from runs/*/alongLine.dat
+# in Fig. 3-10 ... 3-13, from runs/*/{alongLine,leastSquares,equilibrium}.dat
 set encoding utf8
 set terminal pngcairo size 1400, 1500 font "sans,13"
 set output "plots/freeExpansion.png"
 
 file(c) = sprintf("runs/c%s/alongLine.dat", c)
-half(c) = 1e6*real(system(sprintf("awk '$1 == \"halfWidth\" { print $2 }' runs/c%s/numbers.dat", c)))
-length(c) = 1e6*real(system(sprintf("awk '$1 == \"filterLength\" { print $2 }' runs/c%s/numbers.dat", c)))
+# Nothing of a method that this run left out
+table(c, method) = system(sprintf("ls runs/c%s/%s.dat 2>/dev/null || echo /dev/null", c, method))
+half(c) = 1e6*real(system(sprintf("sed -n 's/.*box *(.*) *([^ ]* [^ ]* \\(.*\\));.*/\\1/p' runs/c%s/system/setClayDict", c)))
+length(c) = 1e6*real(system(sprintf("sed -n 's/^ *filter length *\\([^ ]*\\) m.*/\\1/p' runs/c%s/log.clayFoam", c)))
 array number[2] = ["0.1", "1e-4"]
 width(k) = 1e6*real(system(sprintf("awk '/^[^#]/ && $2 > 1e-6 && $1 > x { x = $1 } END { print x }' %s", file(number[k]))))
 
@@ -64,10 +66,12 @@ do for [k = 1:2] {
     # Room for the legend
     set yrange [*:(k == 1 ? 1e5 : 1e7)]
     set key default samplen 2 spacing 1.15 top center
+    # Tables of the fraction, at where the line has it, to both sides
     plot 1 with lines lw 1 dt 2 lc rgb "#000000" notitle, \
-        file(number[k]) using ($1*1e6):(abs($5)/$7) with linespoints lw 1.5 pt 7 ps 0.7 lc rgb colour[1] title "pointwise (eq. 3-65)", \
-        "" using ($1*1e6):($5 < 0 ? -$5/$7 : NaN) with points pt 6 ps 1.5 lw 2 lc rgb colour[2] title "negative", \
-        "" using ($1*1e6):(abs($6)/$7) with lines lw 2.5 lc rgb 0x009E73 title "least squares within a filter length"
+        file(number[k]) using ($1*1e6):(abs($5)/$6) with linespoints lw 1.2 pt 7 ps 0.6 lc rgb colour[1] title "pointwise (eq. 3-65)", \
+        "" using ($1*1e6):($5 < 0 ? -$5/$6 : NaN) with points pt 6 ps 1.3 lw 2 lc rgb colour[2] title "negative", \
+        for [s = -1:1:2] table(number[k], "leastSquares") using (s*$5*1e6):($2/$4):($3/$4) with yerrorbars pt 5 ps 1 lw 2 lc rgb 0x009E73 title (s > 0 ? "least squares" : ""), \
+        for [s = -1:1:2] table(number[k], "equilibrium") using (s*$5*1e6):($2/$4) with lines lw 2.5 lc rgb 0xE69F00 title (s > 0 && table(number[k], "equilibrium") ne "/dev/null" ? "at equilibrium, cubic lattice" : "")
     unset logscale y
 }
 unset multiplot
