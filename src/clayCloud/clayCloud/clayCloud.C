@@ -122,6 +122,7 @@ Foam::clayCloud::clayCloud
     checkFilterLength();
     wallResolution::check(mesh, properties_, state_.spacing);
     clayPlatelet::readFields(*this);
+    findLayers();
     checkCount(labelList());
     const reducedUnits& units = interactions_.units();
 

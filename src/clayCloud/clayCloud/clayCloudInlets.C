@@ -13,6 +13,7 @@
 void Foam::clayCloud::findInlets()
 {
     const dictionary all(properties_.inlets());
+
     inlets_.setSize(all.size());
     through_.setSize(all.size(), Zero);
 
@@ -29,11 +30,53 @@ void Foam::clayCloud::findInlets()
                 {mesh_, properties_, interactions_, axes_, i}
             ).ptr()
         );
-        if (state_.inlets.found(inlet.keyword()))
-        {
-            inlets_[i].setState(state_.inlets[inlet.keyword()]);
-        }
         ++i;
+    }
+
+    // Those of a restart, under their names and types
+    wordHashSet names;
+    for (clayInlet& inlet : inlets_)
+    {
+        const word name(inlet.stateName());
+        names.insert(name);
+        if (state_.inlets.found(name))
+        {
+            inlet.setState(state_.inlets[name]);
+        }
+    }
+    for (const word& name : state_.inlets.sortedToc())
+    {
+        if (!names.found(name))
+        {
+            FatalIOErrorInFunction(properties_.dict())
+                << "This time was written with the inlet " << name
+                << " (its name and type), whose layer holds platelets; now the"
+                << " inlets are " << flatOutput(names.sortedToc()) << nl
+                << "    Put it back, or start anew with setClay"
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+Foam::label Foam::clayCloud::layerAt(const point& x) const
+{
+    forAll(inlets_, i)
+    {
+        if (inlets_[i].layer().depth(x) > 0)
+        {
+            return i;
+        }
+    }
+    return -1;
+}
+
+
+void Foam::clayCloud::findLayers()
+{
+    for (clayPlatelet& platelet : *this)
+    {
+        platelet.state().inlet = layerAt(platelet.state().x);
     }
 }
 
@@ -214,15 +257,7 @@ Foam::point Foam::clayCloud::tracked
 
 void Foam::clayCloud::noteLayer(clayPlatelet::properties& state)
 {
-    label now = -1;
-    forAll(inlets_, i)
-    {
-        if (inlets_[i].layer().depth(state.x) > 0)
-        {
-            now = i;
-            break;
-        }
-    }
+    const label now = layerAt(state.x);
 
     if (now != state.inlet)
     {

@@ -397,7 +397,7 @@ void Foam::clayCloud::move(const volVectorField& Uwater, const scalar deltaT)
         );
         for (const clayInlet& inlet : inlets_)
         {
-            state_.inlets.set(inlet.name(), inlet.state());
+            state_.inlets.set(inlet.stateName(), inlet.state());
         }
     }
 }

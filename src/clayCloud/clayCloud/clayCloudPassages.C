@@ -25,7 +25,7 @@ void Foam::clayCloud::countThrough
     }
 
     // What a restart has found stays
-    state_.passages(name, FixedList<scalar, 2>(Zero));
+    state_.passages(name, scalarList(2, Zero));
 
     counted_[number].triangles.clear();
     for (const FixedList<point, 3>& triangle : triangles)

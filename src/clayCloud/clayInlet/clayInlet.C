@@ -341,12 +341,6 @@ Foam::scalarList Foam::clayInlet::state() const
 void Foam::clayInlet::setState(const scalarList& state)
 {
     const label n = state.size() - 3;
-    if (n != memory().size())
-    {
-        FatalIOErrorInFunction(dict_)
-            << "Inlet " << name_ << " was of another type when this time was"
-            << " written" << exit(FatalIOError);
-    }
     draws_ = state[n];
     started_ = state[n + 1] > 0;
     waited_ = label(state[n + 2]);

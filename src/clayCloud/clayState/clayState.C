@@ -45,6 +45,36 @@ void writeNumbers
     os.endEntry();
 }
 
+//- A dictionary of lists, each under its name
+void writeLists
+(
+    Foam::Ostream& os,
+    const Foam::word& keyword,
+    const Foam::HashTable<Foam::scalarList>& lists
+)
+{
+    os.beginBlock(keyword);
+    for (const Foam::word& name : lists.sortedToc())
+    {
+        writeNumbers(os, name, lists[name]);
+    }
+    os.endBlock();
+}
+
+
+void readLists
+(
+    const Foam::dictionary& dict,
+    const Foam::word& keyword,
+    Foam::HashTable<Foam::scalarList>& lists
+)
+{
+    for (const Foam::entry& list : dict.subDict(keyword))
+    {
+        lists.set(list.keyword(), Foam::scalarList(list.stream()));
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -97,11 +127,8 @@ Foam::clayState::clayState(const polyMesh& mesh)
     readIfPresent("skinUse", skinUse);
     readIfPresent("integratorMemory", integratorMemory);
     readEntry("through", through);
-    for (const entry& inlet : subDict("inlets"))
-    {
-        inlets.set(inlet.keyword(), scalarList(inlet.stream()));
-    }
-    readIfPresent("passages", passages);
+    readLists(*this, "inlets", inlets);
+    readLists(*this, "passages", passages);
 }
 
 
@@ -149,19 +176,6 @@ bool Foam::clayState::writeData(Ostream& os) const
     os.writeEntry("entered", entered);
     os.writeEntry("left", left);
     os.writeEntry("skinUse", skinUse);
-    if (passages.size())
-    {
-        // As text in files of any format, like the other entries
-        os.writeKeyword("passages") << token::BEGIN_LIST;
-        for (const word& name : passages.sortedToc())
-        {
-            os  << token::SPACE << name
-                << token::SPACE << token::BEGIN_LIST << passages[name][0]
-                << token::SPACE << passages[name][1] << token::END_LIST;
-        }
-        os << token::SPACE << token::END_LIST;
-        os.endEntry();
-    }
     if (integrator.size())
     {
         os.writeEntry("integrator", integrator);
@@ -171,12 +185,8 @@ bool Foam::clayState::writeData(Ostream& os) const
         writeNumbers(os, "integratorMemory", integratorMemory);
     }
     os.writeEntry("through", through);
-    os.beginBlock("inlets");
-    for (const word& name : inlets.sortedToc())
-    {
-        writeNumbers(os, name, inlets[name]);
-    }
-    os.endBlock();
+    writeLists(os, "inlets", inlets);
+    writeLists(os, "passages", passages);
 
     os.precision(precision);
     return os.good();

@@ -193,16 +193,22 @@ void Foam::patchLayer::findSides
                 << patches[patch_].name() << ", at its edge " << s.a << ' '
                 << s.b << exit(FatalIOError);
         }
-        if (what > 0)
+        if (what < 0)
         {
-            s.beyond = what - 1;
-            if (patches[s.beyond].coupled())
-            {
-                continue;
-            }
-            s.does = waterLimits::asAction(mesh_, s.beyond, properties);
+            FatalIOErrorInFunction(dict)
+                << "Another patch follows that of the inlet, "
+                << patches[patch_].name() << ", in the same plane, at its edge "
+                << s.a << ' ' << s.b << nl
+                << "    An inlet takes a whole side of the mesh: join the patches"
+                << " of this side" << exit(FatalIOError);
         }
-        sides_.append(s);
+
+        s.beyond = what - 1;
+        if (!patches[s.beyond].coupled())
+        {
+            s.does = waterLimits::asAction(mesh_, s.beyond, properties);
+            sides_.append(s);
+        }
     }
 }
 
@@ -317,15 +323,17 @@ void Foam::patchLayer::addLimits
 
     for (const side& s : sides_)
     {
-        const label patch = s.beyond < 0 ? patch_ : s.beyond;
         addTriangle
         (
-            limits, {s.a, s.b, s.b + way}, s.intoLayer, patch, s.does, lengthUnit
+            limits,
+            {s.a, s.b, s.b + way},
+            s.intoLayer, s.beyond, s.does, lengthUnit
         );
         addTriangle
         (
             limits,
-            {s.a, s.b + way, s.a + way}, s.intoLayer, patch, s.does, lengthUnit
+            {s.a, s.b + way, s.a + way},
+            s.intoLayer, s.beyond, s.does, lengthUnit
         );
     }
 

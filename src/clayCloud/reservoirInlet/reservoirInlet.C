@@ -6,7 +6,8 @@
 #include "reservoirInlet.H"
 #include "addToRunTimeSelectionTable.H"
 #include "checkWords.H"
-#include "polyMesh.H"
+#include "SubField.H"
+#include "volFields.H"
 
 namespace Foam
 {
@@ -55,10 +56,39 @@ Foam::scalar Foam::reservoirInlet::wanted
     const scalar missing = number - now.atPatch;
 
     // Not while a layer is filled: what is missing then is not missing later
-    if (mag(missing) < nearly*number)
+    filled_ = filled_ || mag(missing) < nearly*number;
+    if (filled_)
     {
         missed_ += missing*deltaT/(slowlier*time);
+        missed_ = min(max(missed_, -number), number);
     }
 
-    return (missing + missed_)*deltaT/time;
+    return
+        (missing + missed_)*deltaT/time
+      + density()*waterThrough()*deltaT;
+}
+
+
+Foam::scalar Foam::reservoirInlet::waterThrough() const
+{
+    if (!scene_.interactions.drag())
+    {
+        return 0;
+    }
+
+    const vectorField& U =
+        scene_.mesh.lookupObject<volVectorField>("U")
+       .boundaryField()[layer_.patch()];
+    const vectorField::subField areas
+    (
+        scene_.mesh.boundaryMesh()[layer_.patch()].faceAreas()
+    );
+
+    // OpenFOAM's areas point out of the mesh
+    scalar sum = 0;
+    forAll(U, i)
+    {
+        sum -= U[i] & areas[i];
+    }
+    return returnReduce(sum, sumOp<scalar>());
 }

@@ -80,7 +80,8 @@ Foam::functionObjects::plateletFlux::passed() const
 
     if (patch.empty())
     {
-        return clay.passages(name());
+        const scalarList& counted = clay.passages(name());
+        return {counted[0], counted[1]};
     }
 
     // Through such patches platelets leave; none enters
