@@ -7,12 +7,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "checkWords.H"
 #include "DynamicList.H"
-#include "ListOps.H"
-
-#include <algorithm>
-#include <array>
-#include <map>
-#include <vector>
+#include "placedPoints.H"
 
 namespace Foam
 {
@@ -52,75 +47,9 @@ Foam::pointField Foam::randomArrangement::place(Random& random)
     const label number =
         max(label(1), label(std::round(region_.volume()/pow3(spacing_))));
     const scalar distance = minimumDistance_*spacing_;
-    const scalar binWidth = max(distance, 0.1*spacing_);
+    placedPoints placed(scene_.axes, max(distance, 0.1*spacing_));
 
     DynamicList<point> places(number);
-
-    // The places by bins of the minimum distance
-    using bin = std::array<label, 3>;
-    std::map<bin, std::vector<point>> bins;
-
-    const auto binOf = [&](const point& x)
-    {
-        bin b;
-        for (direction axis = 0; axis < 3; ++axis)
-        {
-            b[axis] = std::floor
-            (
-                (x[axis] - region_.bounds().min()[axis])/binWidth
-            );
-        }
-        return b;
-    };
-
-    const auto isFree = [&](const point& x)
-    {
-        const bin centre(binOf(x));
-        for (label k = 0; k < 27; ++k)
-        {
-            const auto found = bins.find
-            ({
-                centre[0] + k%3 - 1, centre[1] + k/3%3 - 1, centre[2] + k/9 - 1
-            });
-            if
-            (
-                found != bins.end()
-             && std::any_of
-                (
-                    found->second.begin(), found->second.end(),
-                    [&](const point& y){ return mag(x - y) < distance; }
-                )
-            )
-            {
-                return false;
-            }
-        }
-        return true;
-    };
-
-    // The place itself and its images across periodic boundaries
-    const auto enter = [&](const point& x)
-    {
-        for (label k = 0; k < 27; ++k)
-        {
-            const label shift[3] = {k%3 - 1, k/3%3 - 1, k/9 - 1};
-            point image(x);
-            bool isImage = true;
-            for (direction axis = 0; axis < 3; ++axis)
-            {
-                isImage =
-                    isImage && (shift[axis] == 0 || scene_.axes.periodic(axis));
-                if (isImage && shift[axis])
-                {
-                    image[axis] += shift[axis]*scene_.axes.period(axis);
-                }
-            }
-            if (isImage)
-            {
-                bins[binOf(image)].push_back(image);
-            }
-        }
-    };
 
     const label maxTries = 1000;
     for (label tries = 0; places.size() < number; ++tries)
@@ -141,10 +70,10 @@ Foam::pointField Foam::randomArrangement::place(Random& random)
           + cmptMultiply(random.sample01<vector>(), region_.bounds().span())
         );
 
-        if (region_.cellOf(x) >= 0 && isFree(x))
+        if (region_.cellOf(x) >= 0 && placed.nearest(x) >= distance)
         {
             places.append(x);
-            enter(x);
+            placed.add(x);
             tries = 0;
         }
     }
