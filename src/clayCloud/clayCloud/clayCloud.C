@@ -122,7 +122,6 @@ Foam::clayCloud::clayCloud
     checkFilterLength();
     wallResolution::check(mesh, properties_, state_.spacing);
     clayPlatelet::readFields(*this);
-    findLayers();
     checkCount(labelList());
     const reducedUnits& units = interactions_.units();
 

@@ -13,7 +13,6 @@
 void Foam::clayCloud::findInlets()
 {
     const dictionary all(properties_.inlets());
-
     inlets_.setSize(all.size());
     through_.setSize(all.size(), Zero);
 
@@ -49,34 +48,12 @@ void Foam::clayCloud::findInlets()
         if (!names.found(name))
         {
             FatalIOErrorInFunction(properties_.dict())
-                << "This time was written with the inlet " << name
-                << " (its name and type), whose layer holds platelets; now the"
-                << " inlets are " << flatOutput(names.sortedToc()) << nl
-                << "    Put it back, or start anew with setClay"
-                << exit(FatalIOError);
+                << "There is no inlet " << name << " (its name and type) here,"
+                << " but time " << mesh_.time().timeName()
+                << " has platelets behind it." << nl
+                << "    Inlets stay as long as a run goes on; here are "
+                << flatOutput(names.sortedToc()) << exit(FatalIOError);
         }
-    }
-}
-
-
-Foam::label Foam::clayCloud::layerAt(const point& x) const
-{
-    forAll(inlets_, i)
-    {
-        if (inlets_[i].layer().depth(x) > 0)
-        {
-            return i;
-        }
-    }
-    return -1;
-}
-
-
-void Foam::clayCloud::findLayers()
-{
-    for (clayPlatelet& platelet : *this)
-    {
-        platelet.state().inlet = layerAt(platelet.state().x);
     }
 }
 
@@ -255,9 +232,26 @@ Foam::point Foam::clayCloud::tracked
 }
 
 
-void Foam::clayCloud::noteLayer(clayPlatelet::properties& state)
+void Foam::clayCloud::noteLayer
+(
+    clayPlatelet::properties& state,
+    const point& x
+)
 {
-    const label now = layerAt(state.x);
+    // Out of a layer only through its patch; into one only behind the patch itself,
+    // since walls beside it in its plane give way a little
+    label now = state.inlet;
+    if (now >= 0 && inlets_[now].layer().depth(x) <= 0)
+    {
+        now = -1;
+    }
+    for (label i = 0; i < inlets_.size() && now < 0; ++i)
+    {
+        if (inlets_[i].layer().holds(x))
+        {
+            now = i;
+        }
+    }
 
     if (now != state.inlet)
     {

@@ -245,7 +245,7 @@ void Foam::clayCloud::takeBack()
 
         // The way in the water; of one in a layer, that of its place at the patch
         state.x += way;
-        noteLayer(state);
+        noteLayer(state, x);
         state.displacement = tracked(state) - before + lag;
         state.x = x;
         state.U = inSI(local.velocity[i], units.velocity());
@@ -265,7 +265,7 @@ void Foam::clayCloud::takeBack()
         clayPlatelet& platelet = *platelets_[gone.tag];
         clayPlatelet::properties& state = platelet.state();
         state.x = inSI(gone.position, units.length());
-        noteLayer(state);
+        noteLayer(state, state.x);
         ++left[platelet.inWater() ? gone.patch : nPatches + state.inlet];
 
         deleteParticle(platelet);

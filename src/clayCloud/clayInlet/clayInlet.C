@@ -26,6 +26,11 @@ constexpr label tries = 40;
 //- Time between two calls of supply, in relaxation times
 constexpr scalar intervalInRelaxations = 0.5;
 
+//- Share of its fraction that an inlet should hold, and relaxation times without
+//  room for more after which that is said
+constexpr scalar enough = 0.9;
+constexpr scalar longWait = 20;
+
 
 label patchNumber(const polyMesh& mesh, const dictionary& dict)
 {
@@ -91,6 +96,8 @@ Foam::clayInlet::clayInlet
     ),
     random_(where.properties.seed())
 {
+    checkFraction();
+
     if (numberIn(1) < 4)
     {
         FatalIOErrorInFunction(dict)
@@ -114,6 +121,65 @@ Foam::clayInlet::clayInlet
                 << " m, less than three mean spacings of " << spacing_ << " m"
                 << exit(FatalIOError);
         }
+    }
+}
+
+
+void Foam::clayInlet::checkFraction() const
+{
+    const clayInteractions& interactions = scene_.interactions;
+    const scalar thickness = interactions.thickness();
+    const scalar contactGap =
+        interactions.force(scene_.mesh.time().value())->contactGap()
+       *interactions.units().length();
+
+    // Faces of stacked platelets touch (phi = thickness/spacing, TR-17-13 eq.
+    // 3-17), or, of thick ones, those that are put in at half the spacing
+    const scalar most = min
+    (
+        thickness/(thickness + contactGap),
+        interactions.parcelVolume()/pow3(2*(thickness + contactGap))
+    );
+
+    if (fraction_ >= most)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "fraction is " << fraction_ << ", which leaves no gap between"
+            << " platelets of " << thickness << " m that touch at " << contactGap
+            << " m." << nl << "    Take less than " << most
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::clayInlet::noteWaiting
+(
+    const counts& now,
+    const bool full,
+    const scalar time,
+    const scalar deltaT
+)
+{
+    if (held(now) >= enough)
+    {
+        waitedFor_ = 0;
+    }
+    else if (full)
+    {
+        waitedFor_ += deltaT;
+    }
+
+    if (waitedFor_ > longWait*relaxationTime(time) && !warned_)
+    {
+        warned_ = true;
+        WarningInFunction
+            << "Inlet " << name_ << " holds " << held(now) << " of its fraction of "
+            << fraction_ << ", and there has been no room for more for "
+            << waitedFor_ << " s:" << nl
+            << "    what is put in must feel no more than the force of a pair at"
+            << " half the mean spacing." << nl
+            << "    A smaller fraction, a larger patch, or no walls close by"
+            << nl << endl;
     }
 }
 
@@ -147,6 +213,7 @@ Foam::scalar Foam::clayInlet::relaxationTime(const scalar time) const
        /(
             (mag(slope)*sqr(spacing_) + 2*mag(force)*spacing_)/(3*friction)
           + interactions.diffusivity()
+          + VSMALL
         );
 }
 
@@ -162,6 +229,11 @@ Foam::clayInlet::counts Foam::clayInlet::count(const neighbours& near) const
     counts sum;
     for (const point& x : near.x)
     {
+        // Not what is before other patches of the plane, or in other layers
+        if (!layer_.covers(x))
+        {
+            continue;
+        }
         const scalar depth = layer_.depth(x);
         sum.inLayer += depth > 0;
         sum.before += depth <= 0 && depth > -reach();
@@ -279,7 +351,9 @@ Foam::clayInlet::change Foam::clayInlet::supply
         // Rounded up as often as down, so that the mean is kept
         number = std::floor(wanted(now, deltaT) + draw()[0]);
     }
+    const bool atStart = !started_;
     started_ = true;
+    bool full = false;
 
     if (number >= 1)
     {
@@ -295,6 +369,7 @@ Foam::clayInlet::change Foam::clayInlet::supply
             patchLayer::place found;
             if (!findPlace(placed, *law, deltaT, found))
             {
+                full = true;
                 ++waited_;
                 noRoom(label(number) - i);
                 break;
@@ -308,7 +383,7 @@ Foam::clayInlet::change Foam::clayInlet::supply
         DynamicList<label> inLayer;
         forAll(near.x, i)
         {
-            if (layer_.depth(near.x[i]) > 0)
+            if (layer_.depth(near.x[i]) > 0 && layer_.covers(near.x[i]))
             {
                 inLayer.append(near.id[i]);
             }
@@ -324,6 +399,10 @@ Foam::clayInlet::change Foam::clayInlet::supply
             inLayer.remove(which);
         }
     }
+    if (!atStart)
+    {
+        noteWaiting(now, full, time, deltaT);
+    }
     return next;
 }
 
@@ -334,16 +413,29 @@ Foam::scalarList Foam::clayInlet::state() const
     all.append(draws_);
     all.append(started_);
     all.append(waited_);
+    all.append(waitedFor_);
+    all.append(scene_.number);
     return all;
 }
 
 
 void Foam::clayInlet::setState(const scalarList& state)
 {
-    const label n = state.size() - 3;
+    const label n = state.size() - 5;
     draws_ = state[n];
     started_ = state[n + 1] > 0;
     waited_ = label(state[n + 2]);
+    waitedFor_ = state[n + 3];
+
+    // By which platelets know it, and its random numbers
+    if (label(state[n + 4]) != scene_.number)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Inlet " << name_ << " is number " << scene_.number
+            << " of the inlets here, but was number " << label(state[n + 4])
+            << " when this time was written." << nl
+            << "    Keep their order; new ones come last" << exit(FatalIOError);
+    }
     remember(SubList<scalar>(state, n));
 }
 

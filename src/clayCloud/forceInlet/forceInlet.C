@@ -25,39 +25,6 @@ constexpr Foam::scalar farthest = 4;
 } // End anonymous namespace
 
 
-Foam::scalar Foam::forceInlet::readForce
-(
-    const dictionary& dict,
-    const scene& where
-)
-{
-    const clayInteractions& interactions = where.interactions;
-    const scalar scale = interactions.coarseGraining();
-    const scalar time = where.mesh.time().value();
-    const scalar spacing = interactions.spacingAt(dict.get<scalar>("fraction"));
-
-    // A word, else a number
-    const token first(dict.found("force") ? dict.lookup("force")[0] : token());
-    if (first.good() && !first.isWord())
-    {
-        return
-            scale*colloid::readInRange(dict, "force", 1e-30, 1, "N");
-    }
-    const word kind
-    (
-        dict.getOrDefault<word>("force", "calibrated")
-    );
-    colloid::checkChoice
-    (
-        dict, "force", kind, wordList({"calibrated", "pair", "osmotic"})
-    );
-
-    return
-        kind == "pair" ? interactions.pairForce(spacing, time)
-      : interactions.latticePressure(spacing, time)*sqr(spacing);
-}
-
-
 Foam::forceInlet::forceInlet
 (
     const word& name,
@@ -69,37 +36,61 @@ Foam::forceInlet::forceInlet
     (
         name, dict, where, {1, 0, 1}
     ),
-    calibrated_
-    (
-        !dict.found("force")
-     || dict.lookup("force")[0] == token(word("calibrated"))
-    ),
-    firstForce_(readForce(dict, where)),
-    force_(firstForce_)
+    kind_("calibrated")
 {
     wordList words(commonWords);
     words.append("force");
     colloid::checkWords(dict, words);
+
+    // A number, else a word
+    const token first(dict.found("force") ? dict.lookup("force")[0] : token());
+    if (first.good() && !first.isWord())
+    {
+        kind_.clear();
+        given_ = colloid::readInRange(dict, "force", 1e-30, 1, "N");
+    }
+    else
+    {
+        kind_ = dict.getOrDefault<word>("force", kind_);
+        colloid::checkChoice
+        (
+            dict, "force", kind_, wordList({"calibrated", "pair", "osmotic"})
+        );
+    }
+    force_ = forceAt(where.mesh.time().value());
+}
+
+
+Foam::scalar Foam::forceInlet::forceAt(const scalar time) const
+{
+    const clayInteractions& interactions = scene_.interactions;
+
+    return
+        kind_.empty() ? given_
+      : kind_ == "pair" ? interactions.pairForce(spacing_, time)
+      : interactions.latticePressure(spacing_, time)*sqr(spacing_);
 }
 
 
 Foam::scalar Foam::forceInlet::wanted(const counts& now, const scalar deltaT)
 {
-    const scalar time = relaxationTime(scene_.mesh.time().value());
+    const scalar present = scene_.mesh.time().value();
+    const scalar time = relaxationTime(present);
 
-    if (calibrated_)
+    if (kind_ == "calibrated")
     {
-        force_ *=
+        factor_ *=
             Foam::exp((1 - now.before/numberIn(3))*deltaT/(slowly*time));
-        force_ =
-            min(max(force_, firstForce_/farthest), farthest*firstForce_);
+        factor_ = min(max(factor_, 1/farthest), farthest);
     }
+    force_ = factor_*forceAt(present);
+
     return (numberIn(1) - now.inLayer)*deltaT/time;
 }
 
 
 void Foam::forceInlet::printKind(Ostream& os) const
 {
-    os  << ", pushed by " << force_/scene_.interactions.coarseGraining()
-        << " N" << (calibrated_ ? " (calibrated as the run goes)" : "");
+    os  << ", pushed by " << force_ << " N"
+        << (kind_ == "calibrated" ? " (calibrated as the run goes)" : "");
 }

@@ -73,6 +73,16 @@ Foam::patchLayer::patchLayer
     checkFlat(dict);
     findSides(properties, dict);
     findWalls();
+
+    std::vector<FixedList<point, 3>> corners;
+    for (const triangle& t : triangles_)
+    {
+        corners.push_back(t.corners);
+    }
+    cover_ = std::make_unique<triangleCover>
+    (
+        corners, inward_, sideGives*thickness_
+    );
 }
 
 

@@ -168,7 +168,7 @@ void Foam::patchLayer::findSides
                     const vector normal(patch.faceNormals()[i]);
                     const bool flat = mag(normal & inward_) > inOnePlane;
                     beyond[label(std::distance(rim.begin(), found))] =
-                        flat ? -1 : number + 1;
+                        flat ? -1 - number : number + 1;
                 }
             }
         }
@@ -195,20 +195,49 @@ void Foam::patchLayer::findSides
         }
         if (what < 0)
         {
-            FatalIOErrorInFunction(dict)
-                << "Another patch follows that of the inlet, "
-                << patches[patch_].name() << ", in the same plane, at its edge "
-                << s.a << ' ' << s.b << nl
-                << "    An inlet takes a whole side of the mesh: join the patches"
-                << " of this side" << exit(FatalIOError);
+            checkBeside(s, -what - 1, properties, dict);
         }
-
-        s.beyond = what - 1;
-        if (!patches[s.beyond].coupled())
+        else
         {
-            s.does = waterLimits::asAction(mesh_, s.beyond, properties);
-            sides_.append(s);
+            s.beyond = what - 1;
+            if (patches[s.beyond].coupled())
+            {
+                continue;
+            }
+            // Clay is on both sides of the edge between two inlets
+            s.does =
+                properties.isInlet(patches[s.beyond].name())
+              ? action::reflect
+              : waterLimits::asAction(mesh_, s.beyond, properties);
         }
+        sides_.append(s);
+    }
+}
+
+
+void Foam::patchLayer::checkBeside
+(
+    const side& edge,
+    const label beside,
+    const cloudProperties& properties,
+    const dictionary& dict
+) const
+{
+    const polyPatch& patch = mesh_.boundaryMesh()[beside];
+
+    if
+    (
+        !properties.isInlet(patch.name())
+     && waterLimits::asAction(mesh_, beside, properties) == action::platelet
+    )
+    {
+        FatalIOErrorInFunction(dict)
+            << "Patch " << patch.name() << ", which acts as a platelet, goes on"
+            << " in the plane of the inlet's, " << mesh_.boundaryMesh()[patch_].name()
+            << ", at its edge " << edge.a << ' ' << edge.b << nl
+            << "    It would push at the layer behind: say reflect for it"
+            << " ('patches'), or give the inlet the whole side"
+            << exit(FatalIOError);
     }
 }
 
@@ -323,17 +352,15 @@ void Foam::patchLayer::addLimits
 
     for (const side& s : sides_)
     {
+        const label patch = s.beyond < 0 ? patch_ : s.beyond;
         addTriangle
         (
-            limits,
-            {s.a, s.b, s.b + way},
-            s.intoLayer, s.beyond, s.does, lengthUnit
+            limits, {s.a, s.b, s.b + way}, s.intoLayer, patch, s.does, lengthUnit
         );
         addTriangle
         (
             limits,
-            {s.a, s.b + way, s.a + way},
-            s.intoLayer, s.beyond, s.does, lengthUnit
+            {s.a, s.b + way, s.a + way}, s.intoLayer, patch, s.does, lengthUnit
         );
     }
 
