@@ -34,14 +34,9 @@ void Foam::clayCloud::findInlets()
 
     // Those of a restart, under their names and types
     wordHashSet names;
-    for (clayInlet& inlet : inlets_)
+    for (const clayInlet& inlet : inlets_)
     {
-        const word name(inlet.stateName());
-        names.insert(name);
-        if (state_.inlets.found(name))
-        {
-            inlet.setState(state_.inlets[name]);
-        }
+        names.insert(inlet.stateName());
     }
     for (const word& name : state_.inlets.sortedToc())
     {
@@ -53,6 +48,13 @@ void Foam::clayCloud::findInlets()
                 << " has platelets behind it." << nl
                 << "    Inlets stay as long as a run goes on; here are "
                 << flatOutput(names.sortedToc()) << exit(FatalIOError);
+        }
+    }
+    for (clayInlet& inlet : inlets_)
+    {
+        if (state_.inlets.found(inlet.stateName()))
+        {
+            inlet.setState(state_.inlets[inlet.stateName()]);
         }
     }
 }
