@@ -45,7 +45,7 @@ void writeNumbers
     os.endEntry();
 }
 
-//- A dictionary of lists, each under its name
+//- A dictionary of lists, each under its name; nothing where there are none
 void writeLists
 (
     Foam::Ostream& os,
@@ -53,6 +53,10 @@ void writeLists
     const Foam::HashTable<Foam::scalarList>& lists
 )
 {
+    if (lists.empty())
+    {
+        return;
+    }
     os.beginBlock(keyword);
     for (const Foam::word& name : lists.sortedToc())
     {
@@ -69,7 +73,7 @@ void readLists
     Foam::HashTable<Foam::scalarList>& lists
 )
 {
-    for (const Foam::entry& list : dict.subDict(keyword))
+    for (const Foam::entry& list : dict.subOrEmptyDict(keyword))
     {
         lists.set(list.keyword(), Foam::scalarList(list.stream()));
     }
