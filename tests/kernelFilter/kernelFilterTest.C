@@ -383,6 +383,50 @@ INSTANTIATE_TEST_SUITE_P
 );
 
 
+TEST(kernelFilter, mirrorsAreAsTheMirroredMeshWithItsPlatelets)
+{
+    // At the lower end of x and the upper end of y, so that there is a corner
+    boxSettings settings(irregularBox({{4, 6, 5}}));
+    settings.periodic = {{false, false, true}};
+    settings.rank = patchwork;
+    const std::vector<plane> mirrors
+    {
+        plane(point::zero, vector(1, 0, 0)),
+        plane(point(0, settings.size.y(), 0), vector(0, -1, 0))
+    };
+
+    scene s(settings, 60);
+    kernelFilter filter(s.box.mesh(), 25*nm, 0);
+    for (const plane& mirror : mirrors)
+    {
+        filter.mirrorAt(mirror);
+    }
+    s.update(filter);
+
+    scene whole(settings, 60);
+    for (const plane& mirror : mirrors)
+    {
+        const label n = whole.cells.centres.size();
+        for (label i = 0; i < n; ++i)
+        {
+            const point centre(mirror.mirror(whole.cells.centres[i]));
+            whole.cells.centres.append(centre);
+            whole.cells.volumes.append(scalar(whole.cells.volumes[i]));
+        }
+        const std::vector<plainPlatelet> before(whole.all);
+        for (plainPlatelet platelet : before)
+        {
+            platelet.position = mirror.mirror(platelet.position);
+            whole.all.push_back(platelet);
+        }
+    }
+    const plainFields twin(whole.plain(filter, 0));
+    EXPECT_LT(s.alphaError(twin), roundOff);
+    EXPECT_LT(s.velocityError(twin), roundOffAtEdge);
+    EXPECT_LT(mag(s.excess()), roundOff);
+}
+
+
 TEST(kernelFilter, narrowKernelGivesAllToTheOwnCell)
 {
     scene s(irregularBox({{6, 5, 4}}), 300);

@@ -52,6 +52,8 @@ void Foam::clayCloud::findInlets()
     }
     for (clayInlet& inlet : inlets_)
     {
+        filter_.mirrorAt(inlet.layer().patchPlane());
+
         if (state_.inlets.found(inlet.stateName()))
         {
             inlet.setState(state_.inlets[inlet.stateName()]);

@@ -45,6 +45,31 @@ bool isEmpty(const scalarField& values)
 
 // * * * * * * * * * * * * * * * * * Private * * * * * * * * * * * * * * * * //
 
+void Foam::plateletExchange::mirrored
+(
+    const point& p,
+    DynamicList<point>& places
+) const
+{
+    places.clear();
+    places.append(p);
+
+    for (const plane& mirror : mirrors_)
+    {
+        // Where two mirrors meet, images in the first have theirs in the second
+        const label before = places.size();
+        for (label i = 0; i < before; ++i)
+        {
+            if (mirror.distance(places[i]) < reach_)
+            {
+                const point image(mirror.mirror(places[i]));
+                places.append(image);
+            }
+        }
+    }
+}
+
+
 void Foam::plateletExchange::images
 (
     const direction axis,
@@ -156,6 +181,7 @@ Foam::List<Foam::plateletExchange::guests> Foam::plateletExchange::send
     FixedList<DynamicList<scalar>, 3> shifts;
     DynamicList<label> sent;
     DynamicList<point> places;
+    DynamicList<point> originals;
 
     forAll(regions_, proci)
     {
@@ -165,33 +191,30 @@ Foam::List<Foam::plateletExchange::guests> Foam::plateletExchange::send
 
         forAll(positions, k)
         {
-            const point& p = positions[k];
+            mirrored(positions[k], originals);
 
-            bool reaches = true;
-            for (direction axis = 0; axis < 3 && reaches; ++axis)
+            for (const point& p : originals)
             {
-                images(axis, p[axis], region, shifts[axis]);
-                reaches = !shifts[axis].empty();
-            }
-            if (!reaches)
-            {
-                continue;
-            }
-
-            for (const scalar x : shifts[0])
-            {
-                for (const scalar y : shifts[1])
+                for (direction axis = 0; axis < 3; ++axis)
                 {
-                    for (const scalar z : shifts[2])
+                    images(axis, p[axis], region, shifts[axis]);
+                }
+                for (const scalar x : shifts[0])
+                {
+                    for (const scalar y : shifts[1])
                     {
-                        const point image(p + vector(x, y, z));
-
-                        if (isNear(image, region))
+                        for (const scalar z : shifts[2])
                         {
-                            sent.append(k);
-                            places.append(image);
-                            onlyHere_[k] =
-                                onlyHere_[k] && proci == Pstream::myProcNo();
+                            const point image(p + vector(x, y, z));
+
+                            if (isNear(image, region))
+                            {
+                                sent.append(k);
+                                places.append(image);
+                                onlyHere_[k] =
+                                    onlyHere_[k]
+                                 && proci == Pstream::myProcNo();
+                            }
                         }
                     }
                 }
