@@ -1,6 +1,6 @@
 # bentoFoam, GPL-3.0-or-later
-# Growth of the rim, and the water that flows past it, from postProcessing/ and
-# thickness.dat
+# Growth of the rim, and the water that flows past it, from postProcessing/,
+# thickness.dat and continuum.dat
 set encoding utf8
 set terminal pngcairo size 1400, 1050 font "sans,13"
 set output "plots/rim.png"
@@ -37,7 +37,9 @@ set ylabel "height above the inlet [µm]"
 set xrange [0:sqrt(last*1e3)]
 set yrange [0:*]
 plot "thickness.dat" using (sqrt($1*1e3)):($2*1e6) with linespoints pt 7 lw 2 lc rgb 0x062a5e title "gel: alpha.clay above 0.0054", \
-    "" using (sqrt($1*1e3)):($3*1e6) with linespoints pt 7 lw 2 lc rgb 0xE69F00 title "clay: above 0.001"
+    "" using (sqrt($1*1e3)):($3*1e6) with linespoints pt 7 lw 2 lc rgb 0xE69F00 title "clay: above 0.001", \
+    "continuum.dat" using (sqrt($1*1e3)):($2 > 0 ? $2*1e6 : NaN) with lines dt 2 lw 2 lc rgb 0x062a5e notitle, \
+    "" using (sqrt($1*1e3)):($3*1e6) with lines dt 2 lw 2 lc rgb 0xE69F00 title "dashed: as a continuum"
 
 set title "viscosity over that of water; the gel, which has none, is left out"
 set key top right title "time"
