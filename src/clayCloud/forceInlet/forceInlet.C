@@ -18,9 +18,10 @@ namespace Foam
 namespace
 {
 
-//- Time in which the force follows, in relaxation times, and how far it goes
+//- Time in which the force follows, in relaxation times, and how far it goes: where
+//  clay is nearly a gas (1 mol/m3) its row is mostly empty and needs more than 4
 constexpr Foam::scalar slowly = 10;
-constexpr Foam::scalar farthest = 4;
+constexpr Foam::scalar farthest = 20;
 
 } // End anonymous namespace
 
