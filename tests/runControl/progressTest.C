@@ -47,6 +47,20 @@ TEST(progress, showsTimePercentPlateletsAndTimeLeft)
 }
 
 
+TEST(progress, saysWhatIsCounted)
+{
+    autoPtr<Time> runTime(timeUntil(0, 2e-3));
+    const progress log(*runTime, "parcels");
+    runTime->setTime(0.5e-3, 10);
+
+    EXPECT_EQ
+    (
+        log.line(64, 100),
+        "t = 0.5 ms          25.0 %         64 parcels  left 0:05:00"
+    );
+}
+
+
 TEST(progress, reckonsFromThisRunOnly)
 {
     autoPtr<Time> runTime(timeUntil(1, 2));

@@ -42,7 +42,7 @@ int main(int argc, char *argv[])
     autoPtr<fractureFlow> flow(fractureFlow::New(mesh, clay.alpha()));
     const fractureFlow& water = *flow;
 
-    progress log(runTime);
+    progress log(runTime, clay.counted());
     costReport cost;
     bool tooFast = false;
 
@@ -68,7 +68,7 @@ int main(int argc, char *argv[])
             runTime.writeIfDue();
         }
 
-        log.report(clay.number());
+        log.report(clay.inWater());
 
         if (!tooFast && clay.maxDeltaT(1) < runTime.deltaTValue())
         {

@@ -284,6 +284,18 @@ Foam::label Foam::clayCloud::number() const
 }
 
 
+Foam::label Foam::clayCloud::inWater() const
+{
+    return number() - inLayers();
+}
+
+
+Foam::word Foam::clayCloud::counted() const
+{
+    return state_.coarseGraining == 1 ? "platelets" : "parcels";
+}
+
+
 void Foam::clayCloud::report(Ostream& os, costReport& cost) const
 {
     const plateletDynamics::engineCounters& counters = engine_->counters();
@@ -312,13 +324,19 @@ void Foam::clayCloud::report(Ostream& os, costReport& cost) const
     const scalar contacts =
         returnReduce(scalar(counters.contacts), sumOp<scalar>());
 
-    const label layers = inLayers();
-
-    os  << nl << "Platelets: " << state_.entered << " entered, "
-        << number() - layers << " inside";
+    os  << nl;
+    if (state_.coarseGraining == 1)
+    {
+        os  << "Platelets: ";
+    }
+    else
+    {
+        os  << "Parcels of " << parcelNumber() << " platelets: ";
+    }
+    os  << state_.entered << " entered, " << inWater() << " inside";
     if (inlets_.size())
     {
-        os  << ", " << layers << " in layers of inlets";
+        os  << ", " << inLayers() << " in layers of inlets";
     }
     os  << ", " << state_.allLeft() << " left";
     for (const word& patch : state_.left.sortedToc())

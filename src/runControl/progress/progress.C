@@ -77,11 +77,12 @@ std::string Foam::asClock(const scalar seconds)
 
 // * * * * * * * * * * * * * * * Member functions  * * * * * * * * * * * * * //
 
-Foam::progress::progress(const Time& runTime)
+Foam::progress::progress(const Time& runTime, const std::string& counted)
 :
     time_(runTime),
     start_(runTime.value()),
-    begun_(std::chrono::steady_clock::now())
+    begun_(std::chrono::steady_clock::now()),
+    counted_(counted)
 {}
 
 
@@ -97,7 +98,7 @@ Foam::scalar Foam::progress::elapsedSeconds() const
 
 std::string Foam::progress::line
 (
-    const label platelets,
+    const label number,
     const scalar elapsedSeconds
 ) const
 {
@@ -117,9 +118,9 @@ std::string Foam::progress::line
     {
         text += formatted(" %5.1f %%", 100*std::min(now/end, 1.));
     }
-    if (platelets >= 0)
+    if (number >= 0)
     {
-        text += formatted("  %9ld platelets", long(platelets));
+        text += formatted("  %9ld ", long(number)) + counted_;
     }
     if (endIsKnown && now > start_)
     {
@@ -131,7 +132,7 @@ std::string Foam::progress::line
 }
 
 
-void Foam::progress::report(const label platelets) const
+void Foam::progress::report(const label number) const
 {
-    Info<< line(platelets, elapsedSeconds()).c_str() << endl;
+    Info<< line(number, elapsedSeconds()).c_str() << endl;
 }
