@@ -22,6 +22,7 @@ Description
 #include "Cloud.H"
 #include "cloudProperties.H"
 #include "fvCFD.H"
+#include "logDigits.H"
 #include "OSspecific.H"
 #include "parcelScale.H"
 #include "waterLimits.H"
@@ -33,6 +34,7 @@ int main(int argc, char *argv[])
 
     #include "setRootCase.H"
     #include "createTime.H"
+    setLogDigits();
     #include "createMesh.H"
 
     if (isFile(runTime.timePath()/"uniform"/"restartableTime"))

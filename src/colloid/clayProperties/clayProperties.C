@@ -189,7 +189,9 @@ void Foam::colloid::clayProperties::complete()
         // As a token: a number passed as text would lose digits
         section.add(new primitiveEntry(d.keyword, value));
 
+        // For reading, whatever writePrecision is
         OStringStream shown;
+        shown.precision(6);
         shown << value;
 
         std::ostringstream line;

@@ -11,6 +11,7 @@
 #include "chosenStart.H"
 #include "exactTimeState.H"
 #include "fileOperation.H"
+#include "logDigits.H"
 #include "OSspecific.H"
 #include "incompleteMarker.H"
 #include "wholeFiles.H"
@@ -143,6 +144,7 @@ Foam::restartableTime::restartableTime
     scheduleStart_(startTime_)
 {
     purgeWrite_ = 0;
+    setLogDigits();
     refuseCopies();
 
     // Time can't know which file its dictionary came from
@@ -417,6 +419,7 @@ void Foam::restartableTime::readDict()
 
     timesKept_ = max(0, controlDict().getOrDefault<label>("purgeWrite", 0));
     purgeWrite_ = 0;
+    setLogDigits();
 }
 
 
