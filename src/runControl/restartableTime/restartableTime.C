@@ -11,6 +11,7 @@
 #include "chosenStart.H"
 #include "exactTimeState.H"
 #include "fileOperation.H"
+#include "functionObject.H"
 #include "logDigits.H"
 #include "OSspecific.H"
 #include "incompleteMarker.H"
@@ -204,6 +205,63 @@ void Foam::restartableTime::warnOfControls() const
             << " rounded numbers." << nl
             << "    Bit for bit: writeFormat binary, or writePrecision 17"
             << nl << endl;
+    }
+}
+
+
+void Foam::restartableTime::checkFunctionObjects() const
+{
+    const dictionary* functions = controlDict().findDict("functions");
+
+    if (!functions || !functionObjects().status())
+    {
+        return;
+    }
+
+    for (const entry& function : *functions)
+    {
+        if (!function.isDict())
+        {
+            continue;
+        }
+
+        const dictionary& dict = function.dict();
+        const word errors
+        (
+            dict.getOrDefault<word>
+            (
+                "errors",
+                functions->getOrDefault<word>("errors", "default")
+            )
+        );
+
+        if
+        (
+            functionObjects().findObjectID(function.keyword()) >= 0
+         || !dict.getOrDefault("enabled", true)
+         || errors == "warn"
+         || errors == "ignore"
+        )
+        {
+            continue;
+        }
+
+        const word type(dict.get<word>("type"));
+
+        const auto* known = functionObject::dictionaryConstructorTablePtr_;
+
+        if (known && !known->found(type))
+        {
+            FatalIOErrorInLookup(dict, "function object", type, *known)
+                << nl << "If it is another one, its library was not found: see"
+                << " libs, and the warnings above" << exit(FatalIOError);
+        }
+
+        FatalIOErrorInFunction(dict)
+            << "The function object " << function.keyword()
+            << " could not be made; the reason is in the warning above." << nl
+            << "    To go on without it: enabled no; or errors warn;"
+            << exit(FatalIOError);
     }
 }
 
@@ -472,6 +530,18 @@ bool Foam::restartableTime::write(const bool valid) const
     purge();
 
     return true;
+}
+
+
+bool Foam::restartableTime::run() const
+{
+    const bool goesOn = Time::run();
+
+    if (goesOn && timeIndex() == startTimeIndex_)
+    {
+        checkFunctionObjects();
+    }
+    return goesOn;
 }
 
 
