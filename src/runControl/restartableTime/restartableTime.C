@@ -209,6 +209,19 @@ void Foam::restartableTime::warnOfControls() const
 }
 
 
+void Foam::restartableTime::warnOfUnwritten() const
+{
+    if (lastComplete_ != timeName())
+    {
+        WarningInFunction
+            << "The run ends at " << timeName() << " s; what it computed after "
+            << lastComplete_ << " s is not written:" << nl
+            << "    no write time (writeControl and writeInterval, controlDict)"
+            << " came since" << nl << endl;
+    }
+}
+
+
 void Foam::restartableTime::checkFunctionObjects() const
 {
     const dictionary* functions = controlDict().findDict("functions");
@@ -540,6 +553,10 @@ bool Foam::restartableTime::run() const
     if (goesOn && timeIndex() == startTimeIndex_)
     {
         checkFunctionObjects();
+    }
+    else if (!goesOn && timeIndex() != startTimeIndex_)
+    {
+        warnOfUnwritten();
     }
     return goesOn;
 }
