@@ -46,7 +46,13 @@ int main(int argc, char *argv[])
     costReport cost;
     bool tooFast = false;
 
-    while (runTime.run())
+    const auto goesOn = [&]
+    {
+        const auto timing = cost.start("function objects");
+        return runTime.run();
+    };
+
+    while (goesOn())
     {
         #include "setDeltaT.H"
 

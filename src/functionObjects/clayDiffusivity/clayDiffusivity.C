@@ -301,7 +301,7 @@ Foam::diffusivityTable Foam::functionObjects::clayDiffusivity::tableOf
     if (mag(concentration - concentration_) > otherWater*concentration)
     {
         atEquilibrium_ =
-            equilibrium_->table(cloud().interactions(), time, *bins_);
+            equilibrium_->table(cloud().interactions(), time, *bins_, log);
         concentration_ = concentration;
     }
     return atEquilibrium_;

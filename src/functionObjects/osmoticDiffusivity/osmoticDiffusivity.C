@@ -8,6 +8,7 @@
 #include "clockTime.H"
 #include "IOmanip.H"
 #include "StringStream.H"
+#include "progress.H"
 #include "PstreamReduceOps.H"
 #include "readInRange.H"
 
@@ -16,6 +17,9 @@ namespace
 
 //- At rest there is no noise, and steep laws call for a small one
 constexpr Foam::scalar differenceAtRest = 1e-3;
+
+//- From here on [s] a user wants to know how long it takes
+constexpr Foam::scalar longWait = 10;
 
 } // End anonymous namespace
 
@@ -78,17 +82,59 @@ Foam::suspensionBox::arrangement Foam::osmoticDiffusivity::arrangementFor
 }
 
 
+void Foam::osmoticDiffusivity::announce
+(
+    const suspensionBox::arrangement how,
+    const label boxes
+) const
+{
+    Info<< nl << "Clay in equilibrium, " << suspensionBox::arrangementNames[how]
+        << ": " << boxes << " boxes of " << platelets_
+        << " platelets or more on " << Pstream::nProcs()
+        << (Pstream::nProcs() == 1 ? " rank" : " ranks");
+
+    if (how == suspensionBox::arrangement::random)
+    {
+        Info<< nl << "    each until its error is " << accuracy_
+            << ", about " << mostSteps_ << " steps at most: "
+            << scalar(boxes)*platelets_*mostSteps_ << " particle-steps";
+    }
+    Info<< endl;
+}
+
+
+void Foam::osmoticDiffusivity::sayTime
+(
+    const scalar seconds,
+    const label boxes
+)
+{
+    if (seconds*boxes > longWait)
+    {
+        Info<< "    the first box took " << asClock(seconds).c_str()
+            << " (h:mm:ss), all may take " << asClock(seconds*boxes).c_str()
+            << endl;
+    }
+}
+
+
 Foam::diffusivityTable Foam::osmoticDiffusivity::table
 (
     const clayInteractions& interactions,
     const scalar time,
-    const fractionBins& bins
+    const fractionBins& bins,
+    const bool log
 ) const
 {
     const suspensionBox::arrangement how = arrangementFor(interactions);
     const bool moving = how == suspensionBox::arrangement::random;
     const scalar difference = moving ? difference_ : differenceAtRest;
     const clockTime timing;
+
+    if (log)
+    {
+        announce(how, 2*bins.size());
+    }
 
     // Two boxes for each bin: what each found, 0 from the other ranks
     scalarList found(8*bins.size(), Zero);
@@ -114,6 +160,15 @@ Foam::diffusivityTable Foam::osmoticDiffusivity::table
             found[4*box + 1] = result.standardError;
             found[4*box + 2] = result.platelets;
             found[4*box + 3] = result.steps;
+
+            if (log && box == Pstream::myProcNo())
+            {
+                sayTime
+                (
+                    timing.elapsedTime(),
+                    (2*bins.size() + Pstream::nProcs() - 1)/Pstream::nProcs()
+                );
+            }
         }
     }
     Pstream::listCombineGather(found, plusEqOp<scalar>());
@@ -177,27 +232,35 @@ Foam::diffusivityTable Foam::osmoticDiffusivity::table
         }
     }
 
-    OStringStream log;
-    log.precision(5);
-    log << nl << "Clay in equilibrium, " << suspensionBox::arrangementNames[how]
-        << nl << "      fraction  platelets      steps       p [Pa]"
+    if (!log)
+    {
+        return table;
+    }
+
+    OStringStream lines;
+    lines.precision(5);
+    lines
+        << "      fraction  platelets      steps       p [Pa]"
         << "     D [m2/s]        error" << nl;
     for (const auto& row : table.rows())
     {
-        log << "  " << setw(12) << row.fraction << setw(11) << row.more[2]
+        lines
+            << "  " << setw(12) << row.fraction << setw(11) << row.more[2]
             << setw(11) << row.more[3] << setw(13) << row.more[0]
             << setw(13) << row.diffusivity << setw(13) << row.standardError
             << nl;
     }
-    log << "    in " << timing.elapsedTime() << " s on " << Pstream::nProcs()
+    lines
+        << "    in " << timing.elapsedTime() << " s on " << Pstream::nProcs()
         << " ranks, " << particleSteps << " particle-steps" << nl;
     if (inaccurate)
     {
-        log << "    " << inaccurate << " of " << 2*bins.size() << " boxes"
+        lines
+            << "    " << inaccurate << " of " << 2*bins.size() << " boxes"
             << " stopped at maxSteps, before the accuracy of " << accuracy_
             << nl;
     }
-    Info<< log.str().c_str() << endl;
+    Info<< lines.str().c_str() << endl;
 
     return table;
 }
