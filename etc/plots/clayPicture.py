@@ -34,12 +34,22 @@ unit, scale = ('µm', 1e6) if size < 1e-3 else ('mm', 1e3)
 mm_per_s = 'mag(U)*%g' % (1e3/scale)
 
 
+def in_water(cloud):
+    """Without those in the layers of inlets, which are outside the mesh."""
+    cloud.UpdatePipeline(time)
+    if cloud.PointData['inlet'] is None:
+        return cloud
+    water = Threshold(Input=cloud, Scalars=['POINTS', 'inlet'])
+    water.ThresholdMethod, water.LowerThreshold = 'Below Lower Threshold', -0.5
+    return water
+
+
 def part(name):
     """The mesh or the cloud, with lengths in the unit of the axes."""
     block = ExtractBlock(Input=reader)
     block.Assembly = 'Hierarchy'
     block.Selectors = ['//' + name]
-    scaled = Transform(Input=block)
+    scaled = Transform(Input=in_water(block) if name == 'clay' else block)
     scaled.Transform.Scale = [scale, scale, scale]
     scaled.TransformAllInputVectors = 1     # velocities are scaled too
     scaled.UpdatePipeline(time)
