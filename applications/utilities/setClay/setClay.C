@@ -73,9 +73,19 @@ int main(int argc, char *argv[])
 
     Cloud<clayPlatelet> cloud(mesh, "clay", IDLList<clayPlatelet>());
     scalar smallestSpacing = GREAT;
+    bool anyGroup = false;
+    const word counted(coarseGraining == 1 ? "platelets" : "parcels");
 
-    Info<< "\nParcels of " << pow3(coarseGraining) << " platelets, "
-        << scene.parcelVolume << " m3 of clay each" << nl;
+    Info<< nl;
+    if (coarseGraining == 1)
+    {
+        Info<< "Platelets";
+    }
+    else
+    {
+        Info<< "Parcels of " << pow3(coarseGraining) << " platelets";
+    }
+    Info<< ", " << scene.parcelVolume << " m3 of clay each" << nl;
 
     for (const entry& group : setClayDict)
     {
@@ -83,10 +93,15 @@ int main(int argc, char *argv[])
         {
             colloid::checkChoice
             (
-                setClayDict, group.keyword(), group.keyword(), wordList({"seed", "featureSize"})
+                setClayDict,
+                group.keyword(),
+                group.keyword(),
+                wordList({"seed", "featureSize"})
             );
             continue;
         }
+
+        anyGroup = true;
 
         autoPtr<arrangement> way(arrangement::New(group.dict(), scene));
         const pointField places(way->place(random));
@@ -105,13 +120,19 @@ int main(int argc, char *argv[])
         }
 
         Info<< "    " << group.keyword() << ": " << places.size()
-            << (fixed ? " fixed" : "") << " platelets or parcels, spacing "
+            << (fixed ? " fixed " : " ") << counted << ", spacing "
             << way->spacing() << " m, solid fraction "
             << scene.parcelVolume/pow3(way->spacing()) << nl;
 
         if (places.size())
         {
             smallestSpacing = min(smallestSpacing, way->spacing());
+        }
+        else
+        {
+            WarningInFunction
+                << "The group " << group.keyword() << " placed nothing: none of"
+                << " its places is in its region of the mesh" << nl << endl;
         }
     }
 
@@ -123,8 +144,28 @@ int main(int argc, char *argv[])
     }
     else if (cloud.size() == 0)
     {
-        WarningInFunction << "No platelets were placed" << nl << endl;
         smallestSpacing = Foam::cbrt(sum(mesh.V()).value());
+    }
+
+    if (cloud.size() == 0)
+    {
+        OStringStream reason;
+        reason
+            << (anyGroup ? "No place" : "No group") << " in "
+            << runTime.relativePath(setClayDict.objectPath())
+            << ": the water stays empty";
+
+        if (inletFraction > 0)
+        {
+            Info<< reason.str().c_str() << " until clay enters through inlets"
+                << nl;
+        }
+        else
+        {
+            WarningInFunction
+                << reason.str().c_str() << ", and no inlet"
+                << " (constant/clayCloudProperties) brings clay" << nl << endl;
+        }
     }
 
     // An empty cloud writes no files: those of an earlier one would stay

@@ -52,10 +52,15 @@ Foam::scalar Foam::arrangement::spacingFor
 
     if (dict.found("number"))
     {
-        const label number = dict.getCheck<label>
-        (
-            "number", [](label n){ return n > 0; }
-        );
+        const label number = dict.get<label>("number");
+
+        if (number < 1)
+        {
+            FatalIOErrorInFunction(dict)
+                << "number is " << number << "; a group has one platelet or"
+                << " more. To place none, leave the group out"
+                << exit(FatalIOError);
+        }
         return cbrt(volume/number);
     }
 
