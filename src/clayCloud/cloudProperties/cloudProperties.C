@@ -7,6 +7,7 @@
 #include "checkWords.H"
 #include "Time.H"
 #include "HashSet.H"
+#include "integrator.H"
 #include "keyType.H"
 #include "readInRange.H"
 
@@ -109,6 +110,7 @@ Foam::cloudProperties::cloudProperties(const Time& runTime)
 
     tolerance();
     seed();
+    integrator();
 
     colloid::checkChoice
     (
@@ -151,7 +153,16 @@ Foam::dictionary Foam::cloudProperties::doubleLayerDict() const
 
 Foam::word Foam::cloudProperties::integrator() const
 {
-    return section("solution").getOrDefault<word>("integrator", "auto");
+    const dictionary solution(section("solution"));
+    const word name(solution.getOrDefault<word>("integrator", "auto"));
+
+    wordList valid;
+    for (const std::string& one : plateletDynamics::integrator::names())
+    {
+        valid.append(word(one));
+    }
+    colloid::checkChoice(solution, "integrator", name, valid);
+    return name;
 }
 
 

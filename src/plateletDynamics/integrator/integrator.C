@@ -57,6 +57,17 @@ const std::map
 } // End namespace
 
 
+std::vector<std::string> integrator::names()
+{
+    std::vector<std::string> found;
+    for (const auto& entry : integrators)
+    {
+        found.push_back(entry.first);
+    }
+    return found;
+}
+
+
 std::unique_ptr<integrator> integrator::New(const engineSettings& settings)
 {
     const bool random = settings.thermalEnergy > 0;
@@ -69,14 +80,14 @@ std::unique_ptr<integrator> integrator::New(const engineSettings& settings)
 
     if (found == integrators.end())
     {
-        std::string names;
-        for (const auto& entry : integrators)
+        std::string valid;
+        for (const std::string& one : names())
         {
-            names += (names.empty() ? "" : ", ") + entry.first;
+            valid += (valid.empty() ? "" : ", ") + one;
         }
         throw userError
         (
-            "Unknown integrator " + name + ". Valid integrators: " + names
+            "Unknown integrator " + name + ". Valid integrators: " + valid
         );
     }
     if (random && name != "LeimkuhlerMatthews")
