@@ -55,8 +55,14 @@ void Foam::fractureFlows::localViscosityFlow::checkDivergence()
 void Foam::fractureFlows::localViscosityFlow::checkAlongGel
 (
     const vector& u0
-) const
+)
 {
+    if (u0 == checked_)
+    {
+        return;
+    }
+    checked_ = u0;
+
     const label patchi =
         mesh().boundaryMesh().findPatchID(coeffs().get<word>("gelPatch"));
     const vectorField& areas = mesh().Sf().boundaryField()[patchi];
@@ -68,13 +74,15 @@ void Foam::fractureFlows::localViscosityFlow::checkAlongGel
     if (across > 0.5*all)
     {
         FatalIOErrorInFunction(coeffs())
-            << "U is " << u0 << " m/s, and " << across/all << " of it points"
+            << "U is " << u0 << " m/s at " << mesh().time().timeName()
+            << " s, and " << across/all << " of it points"
             << " across the gel patch, through which nothing flows." << nl
             << "    Give a velocity along the patch; around a curved gel the"
             << " model Stokes finds the flow" << exit(FatalIOError);
     }
-    if (across > 0.01*all)
+    if (across > 0.01*all && !saidAcross_)
     {
+        saidAcross_ = true;
         WarningInFunction
             << across/all << " of U points across the gel patch, where it is"
             << " left out" << nl << endl;
@@ -134,7 +142,9 @@ Foam::fractureFlows::localViscosityFlow::localViscosityFlow
 :
     fractureFlow(mesh, alpha, coeffs, IOobject::NO_READ),
     asPrinted_(false),
-    maxDivergence_(-1)
+    maxDivergence_(-1),
+    checked_(Zero),
+    saidAcross_(false)
 {
     colloid::checkWords(coeffs, wordList({"U", "gelPatch", "asPrinted"}));
 
@@ -173,6 +183,7 @@ void Foam::fractureFlows::localViscosityFlow::solve()
 
     if (!asPrinted_)
     {
+        checkAlongGel(u0.value());
         columns_->completeFlux(phiRef());
         checkDivergence();
         reconstructU();
