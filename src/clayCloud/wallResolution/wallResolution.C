@@ -5,6 +5,7 @@
 
 #include "wallResolution.H"
 #include "boundarySurface.H"
+#include "ofAllRanks.H"
 #include "waterLimits.H"
 
 #include "DynamicList.H"
@@ -184,13 +185,8 @@ edgeFlanks rims(const edgeFlanks& own)
         }
     }
 
-    List<scalarList> all(Pstream::nProcs());
-    all[Pstream::myProcNo()] = numbers;
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
-
     edgeFlanks sum;
-    for (const scalarList& n : all)
+    for (const scalarList& n : ofAllRanks<scalarList>(numbers))
     {
         for (label i = 0; i < n.size(); i += nNumbers)
         {
@@ -208,19 +204,16 @@ edgeFlanks rims(const edgeFlanks& own)
 
 
 //- The worst of all ranks
-worstPlace ofAllRanks(const worstPlace& own)
+worstPlace worstOf(const worstPlace& own)
 {
-    List<scalarList> all(Pstream::nProcs());
-    all[Pstream::myProcNo()] = scalarList
+    const scalarList numbers
     ({
         own.deviation, own.bend, own.width, scalar(own.patch),
         own.centre.x(), own.centre.y(), own.centre.z()
     });
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
 
     worstPlace worst;
-    for (const scalarList& n : all)
+    for (const scalarList& n : ofAllRanks(numbers))
     {
         if (n[0] > worst.deviation)
         {
@@ -265,7 +258,7 @@ void Foam::wallResolution::check
     compare(flanks, smooth, own);
     flanks = rims(flanks);
     compare(flanks, smooth, own);
-    const worstPlace worst(ofAllRanks(own));
+    const worstPlace worst(worstOf(own));
 
     if (worst.deviation > share*spacing)
     {

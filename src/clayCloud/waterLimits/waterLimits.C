@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "waterLimits.H"
+#include "ofAllRanks.H"
 #include "reducedUnits.H"
 
 #include "emptyPolyPatch.H"
@@ -143,14 +144,11 @@ plateletDynamics::boundarySurface Foam::waterLimits::triangles
         }
     }
 
-    List<List<FixedList<point, 3>>> allCorners(Pstream::nProcs());
-    List<labelList> allPatches(Pstream::nProcs());
-    allCorners[Pstream::myProcNo()] = corners;
-    allPatches[Pstream::myProcNo()] = patchOf;
-    Pstream::gatherList(allCorners);
-    Pstream::scatterList(allCorners);
-    Pstream::gatherList(allPatches);
-    Pstream::scatterList(allPatches);
+    const auto allCorners
+    (
+        ofAllRanks<List<FixedList<point, 3>>>(corners)
+    );
+    const List<labelList> allPatches(ofAllRanks<labelList>(patchOf));
 
     // Actions once per patch (global patches have the same number everywhere)
     std::vector<boundarySurface::action> does

@@ -5,6 +5,7 @@
 
 #include "fluxSurface.H"
 #include "checkWords.H"
+#include "ofAllRanks.H"
 #include "periodicAxes.H"
 #include "readInRange.H"
 
@@ -107,10 +108,7 @@ void Foam::fluxSurface::append
 
 void Foam::fluxSurface::gather()
 {
-    List<List<triangle>> all(Pstream::nProcs());
-    all[Pstream::myProcNo()] = triangles_;
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
+    const List<List<triangle>> all(ofAllRanks<List<triangle>>(triangles_));
 
     triangles_.clear();
     for (const List<triangle>& ofRank : all)

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "rowsById.H"
+#include "ofAllRanks.H"
 
 #include "ListOps.H"
 #include "PstreamBuffers.H"
@@ -26,11 +27,7 @@ Foam::rowsById::rowsById
     }
     sort();
 
-    labelList numbers(Pstream::nProcs());
-    numbers[Pstream::myProcNo()] = ids.size();
-    Pstream::gatherList(numbers);
-    Pstream::scatterList(numbers);
-
+    const labelList numbers(ofAllRanks(ids.size()));
     forAll(numbers, rank)
     {
         first += (rank < Pstream::myProcNo() ? numbers[rank] : 0);

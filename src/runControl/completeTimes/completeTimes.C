@@ -9,6 +9,7 @@
 #include "ListOps.H"
 #include "Pstream.H"
 #include "incompleteMarker.H"
+#include "ofAllRanks.H"
 
 #include <algorithm>
 #include <filesystem>
@@ -46,39 +47,31 @@ Foam::label Foam::completeTimes::find(const scalar value) const
 
 Foam::completeTimes::completeTimes(const fileName& casePath)
 {
-    List<wordList> names(Pstream::nProcs());
-    List<boolList> marked(Pstream::nProcs());
-    {
-        DynamicList<word> myNames;
-        DynamicList<bool> myMarked;
-        std::error_code error;
+    DynamicList<word> myNames;
+    DynamicList<bool> myMarked;
+    std::error_code error;
 
-        for
+    for
+    (
+        const auto& entry
+      : std::filesystem::directory_iterator
         (
-            const auto& entry
-          : std::filesystem::directory_iterator
-            (
-                std::filesystem::path(std::string(casePath)),
-                error
-            )
+            std::filesystem::path(std::string(casePath)),
+            error
         )
-        {
-            const std::string name = entry.path().filename().string();
-            scalar value;
+    )
+    {
+        const std::string name = entry.path().filename().string();
+        scalar value;
 
-            if (entry.is_directory(error) && readScalar(name, value))
-            {
-                myNames.append(word(name, false));
-                myMarked.append(incompleteMarker::found(casePath/name));
-            }
+        if (entry.is_directory(error) && readScalar(name, value))
+        {
+            myNames.append(word(name, false));
+            myMarked.append(incompleteMarker::found(casePath/name));
         }
-        names[Pstream::myProcNo()] = myNames;
-        marked[Pstream::myProcNo()] = myMarked;
     }
-    Pstream::gatherList(names);
-    Pstream::scatterList(names);
-    Pstream::gatherList(marked);
-    Pstream::scatterList(marked);
+    const List<wordList> names(ofAllRanks<wordList>(myNames));
+    const List<boolList> marked(ofAllRanks<boolList>(myMarked));
 
     // By name: on how many ranks, and on which one marked
     std::map<std::string, label> ranksWith;

@@ -15,6 +15,7 @@
 #include "logDigits.H"
 #include "OSspecific.H"
 #include "incompleteMarker.H"
+#include "ofAllRanks.H"
 #include "wholeFiles.H"
 
 #include <csignal>
@@ -439,12 +440,7 @@ void Foam::restartableTime::refuse(const string& reason) const
 
 void Foam::restartableTime::refuseIfAny(const string& reason) const
 {
-    List<string> reasons(Pstream::nProcs());
-    reasons[Pstream::myProcNo()] = reason;
-    Pstream::gatherList(reasons);
-    Pstream::scatterList(reasons);
-
-    for (const string& first : reasons)
+    for (const string& first : ofAllRanks(reason))
     {
         if (!first.empty())
         {
