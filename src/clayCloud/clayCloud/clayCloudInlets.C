@@ -4,10 +4,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "clayCloud.H"
+#include "ofAllRanks.H"
 #include "waterLimits.H"
 
 #include "fvMesh.H"
-#include "Pstream.H"
 
 
 void Foam::clayCloud::findInlets()
@@ -105,14 +105,8 @@ Foam::clayInlet::neighbours Foam::clayCloud::nearLayer
         }
     }
 
-    List<List<point>> allX(Pstream::nProcs());
-    List<labelList> allId(Pstream::nProcs());
-    allX[Pstream::myProcNo()] = x;
-    allId[Pstream::myProcNo()] = id;
-    Pstream::gatherList(allX);
-    Pstream::scatterList(allX);
-    Pstream::gatherList(allId);
-    Pstream::scatterList(allId);
+    const List<List<point>> allX(ofAllRanks<List<point>>(x));
+    const List<labelList> allId(ofAllRanks<labelList>(id));
 
     clayInlet::neighbours all;
     forAll(allX, rank)
@@ -236,27 +230,37 @@ Foam::point Foam::clayCloud::tracked
 }
 
 
+Foam::label Foam::clayCloud::layerAt(const point& x, const label before) const
+{
+    // Out of a layer only through its patch
+    label found =
+        before >= 0 && inlets_[before].layer().depth(x) > 0 ? before : -1;
+
+    forAll(inlets_, i)
+    {
+        // Into one only behind the patch itself, since walls beside it in its plane
+        // give way a little; where another ends close by, into the one that it is in
+        const patchLayer& layer = inlets_[i].layer();
+        if (layer.holds(x))
+        {
+            if (layer.covers(x))
+            {
+                return i;
+            }
+            found = found < 0 ? i : found;
+        }
+    }
+    return found;
+}
+
+
 void Foam::clayCloud::noteLayer
 (
     clayPlatelet::properties& state,
     const point& x
 )
 {
-    // Out of a layer only through its patch; into one only behind the patch itself,
-    // since walls beside it in its plane give way a little
-    label now = state.inlet;
-    if (now >= 0 && inlets_[now].layer().depth(x) <= 0)
-    {
-        now = -1;
-    }
-    for (label i = 0; i < inlets_.size() && now < 0; ++i)
-    {
-        if (inlets_[i].layer().holds(x))
-        {
-            now = i;
-        }
-    }
-
+    const label now = layerAt(x, state.inlet);
     if (now != state.inlet)
     {
         if (state.inlet >= 0)

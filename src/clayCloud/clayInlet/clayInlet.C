@@ -5,7 +5,7 @@
 
 #include "clayInlet.H"
 #include "checkWords.H"
-#include "polyMesh.H"
+#include "volFields.H"
 
 namespace Foam
 {
@@ -91,6 +91,7 @@ Foam::clayInlet::clayInlet
         patchNumber(where.mesh, dict),
         shape.thickness*spacing_,
         shape.roughness*spacing_,
+        where.axes,
         where.properties,
         dict
     ),
@@ -194,6 +195,14 @@ Foam::FixedList<Foam::scalar, 4> Foam::clayInlet::draw()
     draws_ += 1;
 
     return FixedList<scalar, 4>{drawn[0], drawn[1], drawn[2], drawn[3]};
+}
+
+
+const Foam::vectorField& Foam::clayInlet::waterAtPatch() const
+{
+    return
+        scene_.mesh.lookupObject<volVectorField>("U")
+       .boundaryField()[layer_.patch()];
 }
 
 

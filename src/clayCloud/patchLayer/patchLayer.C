@@ -4,6 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "patchLayer.H"
+#include "ofAllRanks.H"
+#include "periodicAxes.H"
 
 #include "polyMesh.H"
 
@@ -33,6 +35,7 @@ Foam::patchLayer::patchLayer
     const label patch,
     const scalar thickness,
     const scalar roughness,
+    const periodicAxes& axes,
     const cloudProperties& properties,
     const dictionary& dict
 )
@@ -70,8 +73,8 @@ Foam::patchLayer::patchLayer
     centre_ /= triangles_.size();
     inward_ = sum/mag(sum);
 
-    checkFlat(dict);
-    findSides(properties, dict);
+    checkFlat(axes, dict);
+    findSides(axes, properties, dict);
     findWalls();
 
     std::vector<FixedList<point, 3>> corners;
@@ -124,14 +127,11 @@ void Foam::patchLayer::gatherTriangles()
         }
     }
 
-    List<List<FixedList<point, 3>>> allCorners(Pstream::nProcs());
-    List<labelList> allFaces(Pstream::nProcs());
-    allCorners[Pstream::myProcNo()] = corners;
-    allFaces[Pstream::myProcNo()] = faces;
-    Pstream::gatherList(allCorners);
-    Pstream::scatterList(allCorners);
-    Pstream::gatherList(allFaces);
-    Pstream::scatterList(allFaces);
+    const auto allCorners
+    (
+        ofAllRanks<List<FixedList<point, 3>>>(corners)
+    );
+    const List<labelList> allFaces(ofAllRanks<labelList>(faces));
 
     forAll(allCorners, rank)
     {
@@ -162,7 +162,11 @@ void Foam::patchLayer::gatherTriangles()
 }
 
 
-void Foam::patchLayer::checkFlat(const dictionary& dict) const
+void Foam::patchLayer::checkFlat
+(
+    const periodicAxes& axes,
+    const dictionary& dict
+) const
 {
     const word& name = mesh_.boundaryMesh()[patch_].name();
     const scalar tolerance = flatWithin*mesh_.bounds().mag();
@@ -198,6 +202,22 @@ void Foam::patchLayer::checkFlat(const dictionary& dict) const
             << name << ", where its inlet keeps platelets." << nl
             << "    The inlet's patch must bound the mesh on one side"
             << exit(FatalIOError);
+    }
+
+    // Each image of the mesh is farther behind a plane that is oblique
+    for (direction axis = 0; axis < 3; ++axis)
+    {
+        if (axes.period(axis)*mag(inward_[axis]) > tolerance)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Patch " << name << ", into the mesh along " << inward_
+                << ", is not parallel to the axis " << "xyz"[axis]
+                << " along which the mesh is periodic:" << nl
+                << "    what follows across the periodic boundary reaches behind"
+                << " its plane, where its inlet keeps platelets." << nl
+                << "    Turn the patch, or close the mesh there (symmetryPlane)"
+                << exit(FatalIOError);
+        }
     }
 }
 

@@ -4,22 +4,19 @@
 \*---------------------------------------------------------------------------*/
 
 #include "patchLayer.H"
+#include "patchRim.H"
 #include "philox.H"
 #include "reducedUnits.H"
 #include "waterLimits.H"
 
 #include "polyMesh.H"
-#include "processorCyclicPolyPatch.H"
-#include "SubField.H"
-
-#include <map>
 
 namespace
 {
 
 using namespace Foam;
 
-//- Cosine of the angle between normals from which two faces are in one plane
+//- Cosine of the angle between the normals of two walls that are one
 constexpr scalar inOnePlane = 0.99;
 
 
@@ -51,164 +48,33 @@ void addTriangle
     });
 }
 
-
-//- An edge by the coordinates of its ends, whichever comes first
-using edgeKey = std::array<scalar, 6>;
-
-edgeKey key(const point& a, const point& b)
-{
-    const edgeKey forward{a.x(), a.y(), a.z(), b.x(), b.y(), b.z()};
-    const edgeKey backward{b.x(), b.y(), b.z(), a.x(), a.y(), a.z()};
-    return std::min(forward, backward);
-}
-
-
-//- Ends of the edges of a rank's faces of the patch, and the centres of the faces
-struct ranksEdges
-{
-    DynamicList<point> ends;
-    DynamicList<point> centres;
-
-    explicit ranksEdges(const polyPatch& patch)
-    {
-        forAll(patch, i)
-        {
-            const face& f = patch[i];
-            forAll(f, j)
-            {
-                ends.append(patch.points()[f[j]]);
-                ends.append(patch.points()[f.nextLabel(j)]);
-                centres.append(patch.faceCentres()[i]);
-            }
-        }
-    }
-};
-
 } // End anonymous namespace
 
 
 void Foam::patchLayer::findSides
 (
+    const periodicAxes& axes,
     const cloudProperties& properties,
     const dictionary& dict
 )
 {
-    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
-    const ranksEdges own(patches[patch_]);
+    const patchRim rim(mesh_, patch_, inward_, axes, dict);
 
-    List<pointField> ends(Pstream::nProcs());
-    List<pointField> centres(Pstream::nProcs());
-    ends[Pstream::myProcNo()] = pointField(own.ends);
-    centres[Pstream::myProcNo()] = pointField(own.centres);
-    Pstream::gatherList(ends);
-    Pstream::scatterList(ends);
-    Pstream::gatherList(centres);
-    Pstream::scatterList(centres);
-
-    // Edges of one face alone are the patch's rim
-    std::map<edgeKey, side> rim;
-    std::map<edgeKey, label> faces;
-    forAll(ends, rank)
+    for (const patchRim::edge& e : rim.edges())
     {
-        forAll(centres[rank], i)
+        side s{e.a, e.b, e.inwards, -1, action::reflect};
+        if (e.inPlane)
         {
-            const point& a = ends[rank][2*i];
-            const point& b = ends[rank][2*i + 1];
-            const edgeKey k(key(a, b));
-
-            ++faces[k];
-            vector into(centres[rank][i] - a);
-            const vector along((b - a)/mag(b - a));
-            into -= (into & along)*along;
-            rim[k] = {a, b, into/mag(into), -1, action::reflect};
-        }
-    }
-    for (const auto& edge : faces)
-    {
-        if (edge.second > 1)
-        {
-            rim.erase(edge.first);
-        }
-    }
-
-    // What is beyond the rim: on some rank there is a face that has the edge.
-    // 0: none; else a number above that of the patch, negative in this plane
-    labelList beyond(label(rim.size()), Zero);
-    forAll(patches, patchi)
-    {
-        const polyPatch& patch = patches[patchi];
-
-        // A periodic side between ranks is a periodic side
-        label number = patchi;
-        if (isA<processorCyclicPolyPatch>(patch))
-        {
-            number = refCast<const processorCyclicPolyPatch>(patch)
-               .referPatchID();
-        }
-        else if (patchi == patch_ || isA<processorPolyPatch>(patch))
-        {
-            continue;
-        }
-
-        forAll(patch, i)
-        {
-            const face& f = patch[i];
-            forAll(f, j)
-            {
-                const auto found = rim.find
-                (
-                    key
-                    (
-                        patch.points()[f[j]],
-                        patch.points()[f.nextLabel(j)]
-                    )
-                );
-                if (found != rim.end())
-                {
-                    const vector normal(patch.faceNormals()[i]);
-                    const bool flat = mag(normal & inward_) > inOnePlane;
-                    beyond[label(std::distance(rim.begin(), found))] =
-                        flat ? -1 - number : number + 1;
-                }
-            }
-        }
-    }
-    Pstream::listCombineGather
-    (
-        beyond,
-        [](label& x, const label y) { x = x ? x : y; }
-    );
-    Pstream::listCombineScatter(beyond);
-
-    label i = 0;
-    for (auto& edge : rim)
-    {
-        side& s = edge.second;
-        const label what = beyond[i++];
-
-        if (what == 0)
-        {
-            FatalIOErrorInFunction(dict)
-                << "No patch follows that of the inlet, "
-                << patches[patch_].name() << ", at its edge " << s.a << ' '
-                << s.b << exit(FatalIOError);
-        }
-        if (what < 0)
-        {
-            checkBeside(s, -what - 1, properties, dict);
+            checkBeside(e, properties, dict);
         }
         else
         {
-            s.beyond = what - 1;
-            if (patches[s.beyond].coupled())
-            {
-                continue;
-            }
+            s.beyond = e.beyond;
             // Clay is on both sides of the edge between two inlets
             s.does =
-                properties.isInlet(patches[s.beyond].name())
+                properties.isInlet(mesh_.boundaryMesh()[e.beyond].name())
               ? action::reflect
-              : waterLimits::asAction(mesh_, s.beyond, properties);
+              : waterLimits::asAction(mesh_, e.beyond, properties);
         }
         sides_.append(s);
     }
@@ -217,18 +83,17 @@ void Foam::patchLayer::findSides
 
 void Foam::patchLayer::checkBeside
 (
-    const side& edge,
-    const label beside,
+    const patchRim::edge& edge,
     const cloudProperties& properties,
     const dictionary& dict
 ) const
 {
-    const polyPatch& patch = mesh_.boundaryMesh()[beside];
+    const polyPatch& patch = mesh_.boundaryMesh()[edge.beyond];
 
     if
     (
         !properties.isInlet(patch.name())
-     && waterLimits::asAction(mesh_, beside, properties) == action::platelet
+     && waterLimits::asAction(mesh_, edge.beyond, properties) == action::platelet
     )
     {
         FatalIOErrorInFunction(dict)
@@ -277,13 +142,8 @@ void Foam::patchLayer::addRoughBack
 ) const
 {
     // A rectangle around the patch, along the axes where the patch is
-    vector along(Zero);
-    const vector size(cmptMag(inward_));
-    along[size.x() <= size.y() && size.x() <= size.z() ? 0
-        : size.y() <= size.z() ? 1 : 2] = 1;
-    along -= (along & inward_)*inward_;
-    along /= mag(along);
-    const vector across(inward_ ^ along);
+    const vector& along = cover_->along();
+    const vector& across = cover_->across();
 
     scalar low[2] = {GREAT, GREAT};
     scalar high[2] = {-GREAT, -GREAT};

@@ -6,8 +6,8 @@
 #include "reservoirInlet.H"
 #include "addToRunTimeSelectionTable.H"
 #include "checkWords.H"
+#include "polyMesh.H"
 #include "SubField.H"
-#include "volFields.H"
 
 namespace Foam
 {
@@ -76,9 +76,7 @@ Foam::scalar Foam::reservoirInlet::waterThrough() const
         return 0;
     }
 
-    const vectorField& U =
-        scene_.mesh.lookupObject<volVectorField>("U")
-       .boundaryField()[layer_.patch()];
+    const vectorField& U = waterAtPatch();
     const vectorField::subField areas
     (
         scene_.mesh.boundaryMesh()[layer_.patch()].faceAreas()
