@@ -6,8 +6,8 @@
 #include "velocityInlet.H"
 #include "addToRunTimeSelectionTable.H"
 #include "checkWords.H"
+#include "ofAllRanks.H"
 #include "readInRange.H"
-#include "volFields.H"
 
 namespace Foam
 {
@@ -74,14 +74,10 @@ Foam::velocityInlet::velocityInlet
 
 void Foam::velocityInlet::update()
 {
-    List<vectorField> U(Pstream::nProcs());
+    List<vectorField> U;
     if (withWater_)
     {
-        U[Pstream::myProcNo()] =
-            scene_.mesh.lookupObject<volVectorField>("U")
-           .boundaryField()[layer_.patch()];
-        Pstream::gatherList(U);
-        Pstream::scatterList(U);
+        U = ofAllRanks(waterAtPatch());
     }
 
     const List<patchLayer::triangle>& triangles = layer_.triangles();
@@ -106,12 +102,7 @@ Foam::scalar Foam::velocityInlet::interval(const scalar) const
     scalar fastest = U_ & layer_.inward();
     if (withWater_)
     {
-        for
-        (
-            const vector& velocity
-          : scene_.mesh.lookupObject<volVectorField>("U")
-           .boundaryField()[layer_.patch()]
-        )
+        for (const vector& velocity : waterAtPatch())
         {
             fastest = max(fastest, velocity & layer_.inward());
         }
@@ -167,10 +158,9 @@ Foam::patchLayer::place Foam::velocityInlet::tryPlace
 
 void Foam::velocityInlet::drive(vector& velocity, scalar& friction) const
 {
-    if (!withWater_)
-    {
-        velocity = U_;
-    }
+    // Straight on: along the patch it would leave one end of the layer empty
+    const vector& n = layer_.inward();
+    velocity = ((withWater_ ? velocity : U_) & n)*n;
     friction *= unmoved;
 }
 
