@@ -20,6 +20,7 @@ Description
 
 #include "argList.H"
 #include "IOdictionary.H"
+#include "logDigits.H"
 #include "sigFpe.H"
 #include "stringOps.H"
 #include "Time.H"
@@ -259,6 +260,7 @@ int main(int argc, char *argv[])
     };
 
     Time runTime(Time::controlDictName, args);
+    setLogDigits();
 
     const colloid::clayProperties properties(runTime);
     const colloid::water water(properties.waterAt(runTime.value()));
