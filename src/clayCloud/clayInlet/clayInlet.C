@@ -319,7 +319,7 @@ bool Foam::clayInlet::findPlace
     for (label i = 0; i < tries; ++i)
     {
         const patchLayer::place tried(tryPlace(draw(), deltaT));
-        scalar hole = placed.nearest(tried.x);
+        scalar hole = placed.nearest(tried.x, largest);
         layer_.forWalls
         (
             tried.x,

@@ -70,7 +70,11 @@ Foam::pointField Foam::randomArrangement::place(Random& random)
           + cmptMultiply(random.sample01<vector>(), region_.bounds().span())
         );
 
-        if (region_.cellOf(x) >= 0 && placed.nearest(x) >= distance)
+        if
+        (
+            region_.cellOf(x) >= 0
+         && placed.nearest(x, distance) >= distance
+        )
         {
             places.append(x);
             placed.add(x);
