@@ -45,6 +45,7 @@ Foam::functionObjects::clayDiffusivity::clayDiffusivity
     wantedPieces_(label(0)),
     axes_(mesh_),
     gradient_(mesh_, axes_),
+    kept_(new keptNumbers(runTime, name)),
     concentration_(0)
 {
     read(dict);
@@ -204,6 +205,40 @@ void Foam::functionObjects::clayDiffusivity::begin()
             );
         }
     }
+
+    if (kept_.valid())
+    {
+        forAllIters(fits_, iter)
+        {
+            const auto numbers = kept_->lists.cfind(iter.key());
+            if (numbers.found() && !(*iter)->restore(*numbers))
+            {
+                WarningInFunction
+                    << "The sums of " << iter.key() << " in "
+                    << kept_->objectPath() << " are of other fractions, bins"
+                    << " or pieces than those of " << name()
+                    << " now: they begin anew" << nl << endl;
+            }
+        }
+        kept_.clear();
+    }
+}
+
+
+void Foam::functionObjects::clayDiffusivity::keep() const
+{
+    if (!time_.writeTime() || fits_.empty())
+    {
+        return;
+    }
+
+    // In the same order on all ranks
+    HashTable<scalarList> lists;
+    for (const word& method : fits_.sortedToc())
+    {
+        lists.set(method, fits_[method]->numbers());
+    }
+    keptNumbers(time_, name(), lists).regIOobject::write();
 }
 
 
@@ -280,6 +315,7 @@ bool Foam::functionObjects::clayDiffusivity::execute()
         gradientNow_ = gradient;
         pointwise_ = -(q & gradient)/max(magSqr(gradient), VSMALL);
     }
+    keep();
     return true;
 }
 
@@ -339,6 +375,10 @@ void Foam::functionObjects::clayDiffusivity::writeField
 
 bool Foam::functionObjects::clayDiffusivity::write()
 {
+    if (kept_.valid() && (has("pointwise") || has("leastSquares")))
+    {
+        begin();
+    }
     const scalarField& alpha = lookupObject<volScalarField>("alpha.clay");
 
     forAll(methods_, i)
@@ -379,5 +419,6 @@ bool Foam::functionObjects::clayDiffusivity::write()
         writeField("D.clay.pointwise", sqr(dimLength)/dimTime, pointwise_);
         writeField("alpha.clay.gradient", dimless/dimLength, gradientNow_);
     }
+    keep();
     return true;
 }

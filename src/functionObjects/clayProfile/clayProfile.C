@@ -5,6 +5,7 @@
 
 #include "clayProfile.H"
 #include "addToRunTimeSelectionTable.H"
+#include "keptNumbers.H"
 #include "volFields.H"
 
 namespace Foam
@@ -34,6 +35,7 @@ Foam::functionObjects::clayProfile::clayProfile
     duration_(0)
 {
     read(dict);
+    restore();
     writeHeader(file(), "Means over slabs, one block per time");
     writeCommented(file(), "time[s]");
     for
@@ -153,6 +155,69 @@ void Foam::functionObjects::clayProfile::clearIntegral()
 }
 
 
+void Foam::functionObjects::clayProfile::keep() const
+{
+    if (!average_ || !time_.writeTime())
+    {
+        return;
+    }
+
+    scalarList numbers({direction_.x(), direction_.y(), direction_.z()});
+    numbers.append(duration_);
+    for (label slab = 0; slab < slabs_; ++slab)
+    {
+        numbers.append(integral_.alpha[slab]);
+        for (direction axis = 0; axis < 3; ++axis)
+        {
+            numbers.append(integral_.U[slab][axis]);
+            numbers.append(integral_.flux[slab][axis]);
+        }
+    }
+
+    HashTable<scalarList> lists;
+    lists.set("integral", numbers);
+    keptNumbers(time_, name(), lists).regIOobject::write();
+}
+
+
+void Foam::functionObjects::clayProfile::restore()
+{
+    const keptNumbers kept(time_, name());
+    const auto found = kept.lists.cfind("integral");
+
+    if (!average_ || !found.found())
+    {
+        return;
+    }
+    const scalarList& numbers = *found;
+
+    if
+    (
+        numbers.size() != 4 + 7*slabs_
+     || vector(numbers[0], numbers[1], numbers[2]) != direction_
+    )
+    {
+        WarningInFunction
+            << "The means in " << kept.objectPath() << " are over other slabs"
+            << " than those of " << name() << " now: they begin anew" << nl
+            << endl;
+        return;
+    }
+
+    duration_ = numbers[3];
+    for (label slab = 0; slab < slabs_; ++slab)
+    {
+        const scalar* of = &numbers[4 + 7*slab];
+        integral_.alpha[slab] = of[0];
+        for (direction axis = 0; axis < 3; ++axis)
+        {
+            integral_.U[slab][axis] = of[1 + 2*axis];
+            integral_.flux[slab][axis] = of[2 + 2*axis];
+        }
+    }
+}
+
+
 bool Foam::functionObjects::clayProfile::execute()
 {
     if (average_)
@@ -165,6 +230,7 @@ bool Foam::functionObjects::clayProfile::execute()
         integral_.flux += deltaT*now.flux;
         duration_ += deltaT;
     }
+    keep();
     return true;
 }
 
@@ -203,5 +269,6 @@ bool Foam::functionObjects::clayProfile::write()
         os  << nl << nl;
         os.flush();
     }
+    keep();
     return true;
 }

@@ -115,12 +115,21 @@ Foam::scalar Foam::fluxFit::variance
 }
 
 
-Foam::diffusivityTable Foam::fluxFit::table() const
+Foam::scalarList Foam::fluxFit::layout() const
 {
-    const label nBins = bins_.size();
+    return
+    {
+        scalar(bins_.size()),
+        bins_.middle(0),
+        bins_.middle(bins_.size() - 1),
+        scalar(pieces_)
+    };
+}
 
-    // As one list of numbers for the sum over ranks
-    scalarList numbers(3*times_.size()*pieces_*nBins);
+
+Foam::scalarList Foam::fluxFit::sumsOfRanks() const
+{
+    scalarList numbers(3*times_.size()*pieces_*bins_.size());
     label i = 0;
     for (const List<sums>& time : times_)
     {
@@ -133,6 +142,62 @@ Foam::diffusivityTable Foam::fluxFit::table() const
     }
     Pstream::listCombineGather(numbers, plusEqOp<scalar>());
     Pstream::listCombineScatter(numbers);
+    return numbers;
+}
+
+
+Foam::scalarList Foam::fluxFit::numbers() const
+{
+    scalarList result(layout());
+    result.append(scalar(samplesPerTime_));
+    result.append(scalar(samples_));
+    result.append(sumsOfRanks());
+    return result;
+}
+
+
+bool Foam::fluxFit::restore(const scalarList& numbers)
+{
+    const scalarList expected(layout());
+    const label begin = expected.size() + 2;
+    const label perTime = 3*pieces_*bins_.size();
+
+    if
+    (
+        numbers.size() < begin
+     || (numbers.size() - begin) % perTime
+     || SubList<scalar>(numbers, expected.size()) != expected
+    )
+    {
+        return false;
+    }
+
+    samplesPerTime_ = label(numbers[begin - 2]);
+    samples_ = label(numbers[begin - 1]);
+    times_.clear();
+    for (label i = begin; i < numbers.size(); )
+    {
+        times_.append(List<sums>(pieces_*bins_.size()));
+        for (sums& part : times_.last())
+        {
+            // They are of all ranks: one has them, whichever
+            if (Pstream::master())
+            {
+                part.flux = numbers[i];
+                part.gradient = numbers[i + 1];
+                part.fraction = numbers[i + 2];
+            }
+            i += 3;
+        }
+    }
+    return true;
+}
+
+
+Foam::diffusivityTable Foam::fluxFit::table() const
+{
+    const label nBins = bins_.size();
+    const scalarList numbers(sumsOfRanks());
 
     diffusivityTable result({"blocksOfSpace[-]", "blocksOfTime[-]"});
 
