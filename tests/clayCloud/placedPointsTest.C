@@ -94,10 +94,21 @@ label comparePlaced(const std::array<bool, 3>& periodic, const scalar reach)
         {
             EXPECT_NEAR(found[i], expected[i], 1e-20);
         }
-        EXPECT_NEAR
-        (
-            placed.nearest(x), expected.empty() ? reach : expected[0], 1e-20
-        );
+        const scalar nearest = expected.empty() ? reach : expected[0];
+        EXPECT_NEAR(placed.nearest(x, 0), nearest, 1e-20);
+
+        // Not where it need not be known
+        for (const scalar enough : {0.3*reach, reach})
+        {
+            if (nearest < enough)
+            {
+                EXPECT_LT(placed.nearest(x, enough), enough);
+            }
+            else
+            {
+                EXPECT_NEAR(placed.nearest(x, enough), nearest, 1e-20);
+            }
+        }
         near += expected.size();
 
         points.push_back(x);

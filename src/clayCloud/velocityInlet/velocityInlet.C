@@ -27,20 +27,33 @@ constexpr Foam::scalar unmoved = 1e9;
 } // End anonymous namespace
 
 
-Foam::vector Foam::velocityInlet::readU(const dictionary& dict)
+Foam::vector Foam::velocityInlet::readU() const
 {
-    ITstream& is = dict.lookup("U");
+    if (dict_.found("flux"))
+    {
+        if (dict_.found("U"))
+        {
+            FatalIOErrorInFunction(dict_)
+                << "Give U or flux, which is the fraction times U, not both"
+                << exit(FatalIOError);
+        }
+        return
+            colloid::readInRange(dict_, "flux", VSMALL, 1, "m/s")/fraction_
+           *layer_.inward();
+    }
+
+    ITstream& is = dict_.lookup("U");
     const token first(is[0]);
     if (first.isWord())
     {
         colloid::checkChoice
         (
-            dict, "U", first.wordToken(), wordList({"water"})
+            dict_, "U", first.wordToken(), wordList({"water"})
         );
         return Zero;
     }
     const vector U(is);
-    colloid::checkAllRead(dict, "U", is);
+    colloid::checkAllRead(dict_, "U", is);
     return U;
 }
 
@@ -56,11 +69,11 @@ Foam::velocityInlet::velocityInlet
     (
         name, dict, where, {2, 0, 2}
     ),
-    withWater_(dict.lookup("U")[0].isWord()),
-    U_(readU(dict))
+    withWater_(!dict.found("flux") && dict.lookup("U")[0].isWord()),
+    U_(readU())
 {
     wordList words(commonWords);
-    words.append("U");
+    words.append(wordList({"U", "flux"}));
     colloid::checkWords(dict, words);
 
     if (!withWater_ && (U_ & layer_.inward()) <= 0)
