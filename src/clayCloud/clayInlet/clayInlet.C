@@ -208,22 +208,26 @@ const Foam::vectorField& Foam::clayInlet::waterAtPatch() const
 
 Foam::scalar Foam::clayInlet::relaxationTime(const scalar time) const
 {
-    const clayInteractions& interactions = scene_.interactions;
-    const reducedUnits& units = interactions.units();
-    const auto law = interactions.force(time);
-    const scalar gap =
-        spacing_/units.length() - interactions.settings().thickness;
-    const scalar force = law->force(gap)*units.force();
-    const scalar slope = law->slope(gap)*units.force()/units.length();
-    const scalar friction = interactions.friction(fraction_);
+    // Asked for several times in a step, and a sum over thousands of neighbours
+    // in dilute water
+    if (time != relaxationAt_)
+    {
+        const clayInteractions& interactions = scene_.interactions;
+        const scalar nearer = 0.99*spacing_;
+        const scalar farther = 1.01*spacing_;
+        const scalar stiffness =
+            (
+                interactions.latticePressure(nearer, time)
+              - interactions.latticePressure(farther, time)
+            )
+           /(1/pow3(nearer) - 1/pow3(farther));
 
-    return
-        sqr(spacing_)
-       /(
-            (mag(slope)*sqr(spacing_) + 2*mag(force)*spacing_)/(3*friction)
-          + interactions.diffusivity()
-          + VSMALL
-        );
+        relaxationAt_ = time;
+        relaxation_ =
+            sqr(spacing_)*interactions.friction(fraction_)
+           /(mag(stiffness) + VSMALL);
+    }
+    return relaxation_;
 }
 
 
