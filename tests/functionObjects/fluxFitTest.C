@@ -165,6 +165,52 @@ TEST(fluxFit, samplesInARowAreOneBlockOfTime)
 }
 
 
+TEST(fluxFit, goesOnFromItsNumbers)
+{
+    // Broken off amid a block of time, and long enough after it for blocks to be
+    // joined again
+    fluxFit whole(oneBin, pieces, fluxFit::weighting::leastSquares);
+    fluxFit before(oneBin, pieces, fluxFit::weighting::leastSquares);
+    fluxFit after(oneBin, pieces, fluxFit::weighting::leastSquares);
+    cells one;
+    cells same;
+    const auto add = [&](fluxFit& fit, cells& all, const label sample)
+    {
+        const scalar D = 1e-10*(1 + scalar(sample)/300);
+        all.add(fit, [D](scalar) { return D; }, 1e-6);
+    };
+
+    for (label sample = 0; sample < 77; ++sample)
+    {
+        add(whole, one, sample);
+        add(before, same, sample);
+    }
+    ASSERT_TRUE(after.restore(before.numbers()));
+    for (label sample = 77; sample < 300; ++sample)
+    {
+        add(whole, one, sample);
+        add(after, same, sample);
+    }
+
+    const diffusivityTable expected(whole.table());
+    const diffusivityTable found(after.table());
+    ASSERT_EQ(found.rows().size(), 1);
+    const auto& row = found.rows()[0];
+    const auto& of = expected.rows()[0];
+    EXPECT_NEAR(row.diffusivity, of.diffusivity, 1e-12*of.diffusivity);
+    EXPECT_NEAR(row.standardError, of.standardError, 1e-9*of.standardError);
+    EXPECT_EQ(row.more[1], of.more[1]);
+
+    fluxFit other
+    (
+        fractionBins(1e-3, 1e-2, 2, false),
+        pieces,
+        fluxFit::weighting::leastSquares
+    );
+    EXPECT_FALSE(other.restore(before.numbers()));
+}
+
+
 TEST(fluxFit, pointwiseHasSpikesWhereGradientsVanish)
 {
     const scalar D = 2e-10;

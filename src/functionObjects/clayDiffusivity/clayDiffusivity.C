@@ -45,10 +45,14 @@ Foam::functionObjects::clayDiffusivity::clayDiffusivity
     wantedPieces_(label(0)),
     axes_(mesh_),
     gradient_(mesh_, axes_),
-    kept_(new keptNumbers(runTime, name)),
     concentration_(0)
 {
     read(dict);
+
+    if (has("pointwise") || has("leastSquares"))
+    {
+        kept_.reset(new keptNumbers(runTime, name));
+    }
 }
 
 
@@ -238,7 +242,7 @@ void Foam::functionObjects::clayDiffusivity::keep() const
     {
         lists.set(method, fits_[method]->numbers());
     }
-    keptNumbers(time_, name(), lists).regIOobject::write();
+    keptNumbers(time_, name(), lists).save();
 }
 
 
@@ -375,7 +379,7 @@ void Foam::functionObjects::clayDiffusivity::writeField
 
 bool Foam::functionObjects::clayDiffusivity::write()
 {
-    if (kept_.valid() && (has("pointwise") || has("leastSquares")))
+    if (kept_.valid())
     {
         begin();
     }

@@ -176,16 +176,20 @@ void Foam::functionObjects::clayProfile::keep() const
 
     HashTable<scalarList> lists;
     lists.set("integral", numbers);
-    keptNumbers(time_, name(), lists).regIOobject::write();
+    keptNumbers(time_, name(), lists).save();
 }
 
 
 void Foam::functionObjects::clayProfile::restore()
 {
+    if (!average_)
+    {
+        return;
+    }
     const keptNumbers kept(time_, name());
     const auto found = kept.lists.cfind("integral");
 
-    if (!average_ || !found.found())
+    if (!found.found())
     {
         return;
     }

@@ -4,8 +4,11 @@
 \*---------------------------------------------------------------------------*/
 
 #include "keptNumbers.H"
+#include "OFstream.H"
+#include "OSspecific.H"
 #include "PstreamReduceOps.H"
 #include "Time.H"
+#include "wholeFiles.H"
 
 namespace
 {
@@ -43,6 +46,11 @@ Foam::keptNumbers::keptNumbers(const Time& time, const word& name)
             lists.set(list.keyword(), scalarList(list.stream()));
         }
     }
+    else if (time.timeIndex() > 0)
+    {
+        Info<< name << ": there is no " << objectPath()
+            << ", sums and means begin anew" << nl << endl;
+    }
 }
 
 
@@ -75,4 +83,29 @@ bool Foam::keptNumbers::writeData(Ostream& os) const
     }
     os.precision(precision);
     return os.good();
+}
+
+
+void Foam::keptNumbers::save() const
+{
+    const fileName file(objectPath());
+    const fileName unfinished(file + "-unfinished");
+
+    mkDir(file.path());
+    {
+        OFstream os(unfinished);
+        writeHeader(os);
+        writeData(os);
+        writeEndDivider(os);
+    }
+    const bool saved =
+        wholeFiles::isWhole(unfinished) && mv(unfinished, file);
+
+    if (!returnReduce(saved, andOp<bool>()))
+    {
+        FatalErrorInFunction
+            << "Cannot write " << file << ": is the disk full?" << nl
+            << "    A restart from this time would begin sums and means anew"
+            << exit(FatalError);
+    }
 }
