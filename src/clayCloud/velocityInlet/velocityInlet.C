@@ -29,14 +29,14 @@ constexpr Foam::scalar unmoved = 1e9;
 
 Foam::vector Foam::velocityInlet::readU() const
 {
+    if (dict_.found("flux") == dict_.found("U"))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Give U, or flux, which is the fraction times U: one of them"
+            << exit(FatalIOError);
+    }
     if (dict_.found("flux"))
     {
-        if (dict_.found("U"))
-        {
-            FatalIOErrorInFunction(dict_)
-                << "Give U or flux, which is the fraction times U, not both"
-                << exit(FatalIOError);
-        }
         return
             colloid::readInRange(dict_, "flux", VSMALL, 1, "m/s")/fraction_
            *layer_.inward();
@@ -69,7 +69,7 @@ Foam::velocityInlet::velocityInlet
     (
         name, dict, where, {2, 0, 2}
     ),
-    withWater_(!dict.found("flux") && dict.lookup("U")[0].isWord()),
+    withWater_(dict.found("U") && dict.lookup("U")[0].isWord()),
     U_(readU())
 {
     wordList words(commonWords);

@@ -46,14 +46,14 @@ set key top right title "time"
 set xlabel "height above the inlet [µm]"
 set ylabel "viscosity over that of water [-]"
 set xrange [0:across]
-set yrange [1:100]
+set yrange [1:20]
 set logscale y
 plot for [k = 1:5] profile index block[k] using ($2*1e6):(viscosity($3)) with lines lw 2.5 lc rgb shade(k) title name(k)
 unset logscale
 
 set title "velocity of the water"
 set xlabel "height above the inlet [µm]"
-set ylabel "along x [mm/s]"
+set ylabel "velocity along x [mm/s]"
 set xrange [0:across]
 set yrange [0:1.1]
 set key bottom right
