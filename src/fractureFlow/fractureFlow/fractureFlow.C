@@ -95,3 +95,21 @@ const Foam::volScalarField& Foam::fractureFlow::nu()
     viscosity().correct();
     return viscosity().nuField();
 }
+
+
+const Foam::volScalarField& Foam::fractureFlow::apertureRatio()
+{
+    if (!apertureRatio_.valid())
+    {
+        apertureRatio_.reset
+        (
+            new volScalarField
+            (
+                IOobject("apertureRatio", mesh_.time().timeName(), mesh_),
+                mesh_,
+                dimensionedScalar("1", dimless, 1)
+            )
+        );
+    }
+    return *apertureRatio_;
+}

@@ -189,8 +189,12 @@ void Foam::costReport::report
         );
         os  << line << nl;
     }
-    os  << "    simulated " << withTimeUnit(simulatedTime).c_str() << " in "
-        << asClock(total).c_str() << " (h:mm:ss), that is "
-        << withTimeUnit(simulatedTime/max(total, VSMALL)).c_str()
-        << " per second" << nl << endl;
+    if (simulatedTime > 0)
+    {
+        os  << "    simulated " << withTimeUnit(simulatedTime).c_str() << " in "
+            << asClock(total).c_str() << " (h:mm:ss), that is "
+            << withTimeUnit(simulatedTime/max(total, VSMALL)).c_str()
+            << " per second" << nl;
+    }
+    os  << endl;
 }
