@@ -52,9 +52,7 @@ Foam::vector Foam::velocityInlet::readU() const
         );
         return Zero;
     }
-    const vector U(is);
-    colloid::checkAllRead(dict_, "U", is);
-    return U;
+    return colloid::readWithUnit<vector>(dict_, "U", is, "m/s");
 }
 
 

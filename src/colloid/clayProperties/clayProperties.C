@@ -252,7 +252,7 @@ void Foam::colloid::clayProperties::readWater()
             << exit(FatalIOError);
     }
 
-    concentration_ = readFunction1<scalar>(d, "concentration");
+    concentration_ = readFunction1<scalar>(d, "concentration", "mol/m3");
 
     // Now rather than in the middle of a run
     waterAt(0);

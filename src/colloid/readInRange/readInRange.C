@@ -31,7 +31,20 @@ Foam::scalar Foam::colloid::readInRange
             << exit(FatalIOError);
     }
 
-    const scalar value = dict.get<scalar>(keyword, keyType::LITERAL);
+    ITstream& is = given->stream();
+    const token first(is);
+
+    if (!first.isNumber())
+    {
+        FatalIOErrorInFunction(is)
+            << "Entry '" << keyword << "' in " << dict.dictName()
+            << " is not a number" << nl
+            << "Valid: from " << lower << " to " << upper << ' ' << unit << nl
+            << exit(FatalIOError);
+    }
+
+    is.putBack(first);
+    const scalar value = readWithUnit<scalar>(dict, keyword, is, unit);
 
     // nan first: comparing it would trap
     if (!std::isfinite(value) || value < lower || value > upper)

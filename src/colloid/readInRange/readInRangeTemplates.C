@@ -4,12 +4,39 @@
 \*---------------------------------------------------------------------------*/
 
 #include "readInRange.H"
+#include "unitWords.H"
+
+#include "Constant.H"
+#include "StringStream.H"
+
+template<class Type>
+Type Foam::colloid::readWithUnit
+(
+    const dictionary& dict,
+    const word& keyword,
+    ITstream& is,
+    const char* SIunit
+)
+{
+    const Type value = pTraits<Type>{is};
+    const unitWord unit(readUnit(dict, keyword, is, SIunit));
+    const Type converted = value*unit.factor;
+
+    OStringStream shown, shownConverted;
+    shown << value;
+    shownConverted << converted;
+    echoUnit(dict, keyword, shown.str(), unit, shownConverted.str(), SIunit);
+
+    return converted;
+}
+
 
 template<class Type>
 Foam::autoPtr<Foam::Function1<Type>> Foam::colloid::readFunction1
 (
     const dictionary& dict,
-    const word& keyword
+    const word& keyword,
+    const char* unit
 )
 {
     const entry* given = dict.findEntry(keyword, keyType::LITERAL);
@@ -27,8 +54,13 @@ Foam::autoPtr<Foam::Function1<Type>> Foam::colloid::readFunction1
             {
                 is.putBack(first);
             }
-            static_cast<void>(pTraits<Type>{is});
-            checkAllRead(dict, keyword, is);
+            return autoPtr<Function1<Type>>
+            (
+                new Function1Types::Constant<Type>
+                (
+                    keyword, readWithUnit<Type>(dict, keyword, is, unit)
+                )
+            );
         }
     }
 

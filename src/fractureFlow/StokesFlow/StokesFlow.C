@@ -195,7 +195,8 @@ Foam::fractureFlows::StokesFlow::StokesFlow
 
     if (coeffs.found("pressureGradient"))
     {
-        pressureGradient_ = colloid::readFunction1<vector>(coeffs, "pressureGradient");
+        pressureGradient_ =
+            colloid::readFunction1<vector>(coeffs, "pressureGradient", "Pa/m");
     }
 
     checkBoundaryConditions();

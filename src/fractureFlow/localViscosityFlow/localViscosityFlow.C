@@ -148,7 +148,7 @@ Foam::fractureFlows::localViscosityFlow::localViscosityFlow
 {
     colloid::checkWords(coeffs, wordList({"U", "gelPatch", "asPrinted"}));
 
-    velocity_ = colloid::readFunction1<vector>(coeffs, "U");
+    velocity_ = colloid::readFunction1<vector>(coeffs, "U", "m/s");
     coeffs.readIfPresent("asPrinted", asPrinted_);
 
     if (!asPrinted_)

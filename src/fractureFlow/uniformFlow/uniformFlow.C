@@ -56,7 +56,7 @@ Foam::fractureFlows::uniformFlow::uniformFlow
     fractureFlow(mesh, alpha, coeffs, IOobject::NO_READ)
 {
     colloid::checkWords(coeffs, wordList({"U"}));
-    velocity_ = colloid::readFunction1<vector>(coeffs, "U");
+    velocity_ = colloid::readFunction1<vector>(coeffs, "U", "m/s");
 
     warnOfWallsInTheWay();
 }
