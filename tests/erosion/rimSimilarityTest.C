@@ -5,12 +5,10 @@
 
 #include "rimSimilarity.H"
 
-#include "clayProperties.H"
-#include "diffusivity.H"
+#include "LiusClay.H"
 
 #include "error.H"
 #include "interpolateXY.H"
-#include "IStringStream.H"
 
 #include <gtest/gtest.h>
 
@@ -31,17 +29,9 @@ const scalar pi = std::acos(-1.0);
 // Liu's clay in water of 0.1 mol/m3, with the default platelet
 rimSimilarity::laws Liu(const bool gelStop)
 {
-    IStringStream text("water { concentration 0.1; }");
-    const colloid::clayProperties properties{dictionary(text)};
-    const colloid::water water(properties.waterAt(0));
-    const colloid::coVolumeViscosity eta(properties.viscosity(water));
-    const colloid::diffusivity D
-    (
-        properties.clay(),
-        water,
-        properties.newDoubleLayer("compression", water)(),
-        properties.newFriction("KozenyCarman", water)()
-    );
+    const LiusClay clay;
+    const auto eta = clay.viscosity;
+    const auto D = clay.D;
 
     return
     {
