@@ -7,6 +7,7 @@
 #include "fvcGrad.H"
 #include "linear.H"
 #include "surfaceInterpolationScheme.H"
+#include "upwind.H"
 #include "zeroGradientFvPatchFields.H"
 
 namespace
@@ -16,7 +17,7 @@ namespace
 constexpr Foam::scalar clayFloor = 1e-4;
 
 // Change of a step towards the steady state, measured likewise
-constexpr Foam::scalar steadyTolerance = 0.2;
+constexpr Foam::scalar steadyTolerance = 1;
 
 } // End anonymous namespace
 
@@ -70,11 +71,7 @@ void Foam::clayTransport::addDerivatives
 }
 
 
-void Foam::clayTransport::addAdvection
-(
-    surfaceScalarField& F,
-    fvScalarMatrix* derivatives
-) const
+Foam::tmp<Foam::surfaceScalarField> Foam::clayTransport::advected() const
 {
     ITstream& entry = mesh_.divScheme("div(phi,alpha.clay)");
     const word Gauss(entry);
@@ -90,7 +87,20 @@ void Foam::clayTransport::addAdvection
     (
         surfaceInterpolationScheme<scalar>::New(mesh_, phi_, entry)
     );
-    F += phi_*scheme().interpolate(alpha_);
+    return phi_*scheme().interpolate(alpha_);
+}
+
+
+void Foam::clayTransport::addAdvection
+(
+    surfaceScalarField& F,
+    fvScalarMatrix* derivatives
+) const
+{
+    F +=
+        overUpwind_.valid()
+      ? phi_*upwind<scalar>(mesh_, phi_).interpolate(alpha_) + overUpwind_()
+      : advected();
 
     if (!derivatives)
     {
@@ -586,9 +596,13 @@ bool Foam::clayTransport::step
         return gMax(mag(missing/stiffness));
     };
     scalar size = sizeOf();
-    const scalar enough = relative > 0 ? relative*size : residual_;
+    const scalar start = size;
+    const scalar enough = relative > 0 ? relative*start : residual_;
 
-    for (label i = 0; size > enough; ++i)
+    // Towards the steady state anything less will do
+    bool stuck = false;
+
+    for (label i = 0; size > enough && !stuck; ++i)
     {
         if (i == maxIterations_ || !(size < GREAT))
         {
@@ -615,7 +629,12 @@ bool Foam::clayTransport::step
             }
             if (halvings == 6)
             {
-                return false;
+                if (!(relative > 0 && size < start))
+                {
+                    return false;
+                }
+                stuck = true;
+                break;
             }
             share *= 0.5;
         }
@@ -743,13 +762,18 @@ Foam::scalar Foam::clayTransport::iterate()
 
     // A step of a time that is not followed closely: it grows without limit as
     // alpha comes to rest, and shrinks where the flow answers too much
+    // What the scheme adds to upwind stays as it is meanwhile: a limited one
+    // would keep Newton's method from converging in so large a step
+    overUpwind_ =
+        advected() - phi_*upwind<scalar>(mesh_, phi_).interpolate(alpha_);
+
     const scalarField old(alpha_.primitiveField());
     const scalarField rate(old.size(), Zero);
     surfaceScalarField F("F", alphaPhi_);
 
     for (label nTries = 0; ; ++nTries)
     {
-        const bool solved = step(old, nextDeltaT_, F, 0.1);
+        const bool solved = step(old, nextDeltaT_, F, 0.5);
         const scalar error = solved ? errorOf(old, rate, nextDeltaT_) : GREAT;
         const scalar growth = steadyTolerance/max(error, SMALL);
 
@@ -757,6 +781,7 @@ Foam::scalar Foam::clayTransport::iterate()
         {
             ++nSteps_;
             nextDeltaT_ *= min(max(growth, scalar(0.5)), scalar(2));
+            overUpwind_.clear();
             return residual;
         }
         refuseAfter(40, nTries, nextDeltaT_);
