@@ -79,6 +79,33 @@ TEST(coVolumeViscosity, agreesWithTheReference)
 }
 
 
+// Round-off of one root instead of another
+TEST(coVolumeViscosity, atAnotherConcentrationIsThatOfOtherWater)
+{
+    for (const char* floc : {notFlocculated, flocculated})
+    {
+        const coVolumeViscosity law = viscosityOf(0.1, defaults, floc);
+
+        for (const scalar concentration : {1e-3, 0.1, 30.})
+        {
+            const coVolumeViscosity expected =
+                viscosityOf(concentration, defaults, floc);
+            const coVolumeViscosity there = law.at(concentration);
+
+            for (const scalar phi : {0., 1e-4, 0.003, 0.011, 0.1})
+            {
+                const scalar eta = expected.relativeViscosity(phi);
+                EXPECT_NEAR(there.relativeViscosity(phi), eta, 1e-12*eta);
+            }
+            EXPECT_NEAR
+            (
+                there.gelFraction(), expected.gelFraction(), 1e-14
+            );
+        }
+    }
+}
+
+
 // Published (39.2) and computed independently, with the digits they have
 TEST(coVolumeViscosity, reproducesPublishedNumbers)
 {

@@ -225,6 +225,127 @@ TEST(LiuCoVolume, followsTheConcentrationInTime)
 }
 
 
+//- A field c as erosionFoam has it, 0.1 mol/m3 below the middle, 10 above
+static autoPtr<volScalarField> layeredSalt(solverCase& c)
+{
+    wordList types(c.mesh().boundary().size(), "zeroGradient");
+    forAll(types, patchi)
+    {
+        const polyPatch& pp = c.mesh().boundaryMesh()[patchi];
+        types[patchi] =
+            pp.coupled() ? pp.type()
+          : pp.name() == "top" ? "fixedValue"
+          : "zeroGradient";
+    }
+
+    autoPtr<volScalarField> salt
+    (
+        new volScalarField
+        (
+            IOobject("c", c.time().timeName(), c.mesh()),
+            c.mesh(),
+            dimensionedScalar("c", dimMoles/dimVolume, 0.1),
+            types
+        )
+    );
+    forAll(*salt, i)
+    {
+        salt()[i] = c.mesh().C()[i].y() < 0.5 ? 0.1 : 10;
+    }
+    const label top = c.mesh().boundaryMesh().findPatchID("top");
+    salt->boundaryFieldRef()[top] == 50;
+    salt->correctBoundaryConditions();
+
+    return salt;
+}
+
+
+TEST(LiuCoVolume, followsALocalConcentration)
+{
+    const string text("water { concentration 1; }");
+    solverCase c(true);
+    c.writeClayProperties(text);
+    c.alpha() == 0.007;
+
+    auto model = c.newModel();
+    const auto uniform = [](const string& concentration)
+    {
+        return 1e-6*law
+        (
+            "water { concentration " + concentration + "; }"
+        ).relativeViscosity(0.007);
+    };
+
+    // Gel with 0.1, a sol with 10
+    EXPECT_NEAR(uniform("0.1"), 1, 1e-12);
+    EXPECT_LT(uniform("10"), 1e-5);
+
+    {
+        auto salt = layeredSalt(c);
+        model->correct();
+        const volScalarField nu(model->nu());
+
+        forAll(nu, i)
+        {
+            const scalar expected =
+                uniform(c.mesh().C()[i].y() < 0.5 ? "0.1" : "10");
+            EXPECT_NEAR(nu[i], expected, 1e-12*expected);
+        }
+
+        const auto expectPatch = [&](const word& name, const string& salt)
+        {
+            const label patchi = c.mesh().boundaryMesh().findPatchID(name);
+            const scalarField onPatch(model->nu(patchi));
+            const scalar expected = uniform(salt);
+            EXPECT_LT
+            (
+                gMax(mag(onPatch - expected)()), 1e-12*expected
+            ) << name;
+        };
+        expectPatch("bottom", "0.1");
+        expectPatch("top", "50");
+    }
+
+    // Without the field it is that of clayProperties again
+    model->correct();
+    EXPECT_NEAR(max(model->nu()()).value(), uniform("1"), 1e-18);
+}
+
+
+TEST(LiuCoVolume, localConcentrationThatCannotBeIsRefused)
+{
+    solverCase c(true);
+    auto model = c.newModel();
+    {
+        auto salt = layeredSalt(c);
+        salt() == dimensionedScalar(salt->dimensions(), Zero);
+        EXPECT_TRUE
+        (
+            mentions
+            (
+                messageOf([&]() { model->correct(); }),
+                {"0 mol/m3", "field c", "above zero"}
+            )
+        );
+    }
+
+    volScalarField other
+    (
+        IOobject("c", c.time().timeName(), c.mesh()),
+        c.mesh(),
+        dimensionedScalar("one", dimless, 1)
+    );
+    EXPECT_TRUE
+    (
+        mentions
+        (
+            messageOf([&]() { model->correct(); }),
+            {"dimensions", "mol/m3", "[0 -3 0 0 1 0 0]"}
+        )
+    );
+}
+
+
 TEST(LiuCoVolume, coefficientsInTransportPropertiesAreRefused)
 {
     solverCase c(true);

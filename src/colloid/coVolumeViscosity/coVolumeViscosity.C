@@ -54,6 +54,17 @@ Foam::scalar Foam::colloid::coVolumeViscosity::gelling
 }
 
 
+Foam::scalar Foam::colloid::coVolumeViscosity::coVolumePerFraction
+(
+    const scalar concentration
+) const
+{
+    const scalar swelling = 1 + relativeCore_/std::sqrt(concentration);
+
+    return barePerFraction_*swelling*swelling*swelling;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::colloid::coVolumeViscosity::coVolumeViscosity
@@ -114,16 +125,28 @@ Foam::colloid::coVolumeViscosity::coVolumeViscosity
     const scalar core =
         readInRange(viscosity, "coreThickness", 0, 100, "Debye lengths");
 
-    const scalar swelling =
-        1 + 2*core/(clay.diameter*solution.inverseDebyeLength());
+    barePerFraction_ = 2*clay.diameter/(3*clay.thickness);
+    relativeCore_ =
+        2*core*std::sqrt(solution.concentration)
+       /(clay.diameter*solution.inverseDebyeLength());
 
-    // Eq. 3-15, 3-16
-    coVolumePerFraction_ =
-        2*clay.diameter/(3*clay.thickness)*swelling*swelling*swelling;
+    coVolumePerFraction_ = coVolumePerFraction(solution.concentration);
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::colloid::coVolumeViscosity Foam::colloid::coVolumeViscosity::at
+(
+    const scalar concentration
+) const
+{
+    coVolumeViscosity result(*this);
+    result.coVolumePerFraction_ = coVolumePerFraction(concentration);
+
+    return result;
+}
+
 
 Foam::scalar Foam::colloid::coVolumeViscosity::coVolumeFraction
 (

@@ -19,6 +19,25 @@ namespace viscosityModels
 }
 
 static const Foam::word alphaName("alpha.clay");
+static const Foam::word concentrationName("c");
+
+
+// A calculated value is left to whoever made the field, who need not
+static bool isFixed(const Foam::fvPatchScalarField& patch)
+{
+    return
+        patch.fixesValue()
+     && !Foam::isA<Foam::calculatedFvPatchScalarField>(patch);
+}
+
+
+static Foam::scalarField fixedOrInternal(const Foam::fvPatchScalarField& patch)
+{
+    return
+        isFixed(patch)
+      ? Foam::scalarField(patch)
+      : Foam::scalarField(patch.patchInternalField());
+}
 
 
 void Foam::viscosityModels::LiuCoVolume::refuseCoeffs
@@ -119,6 +138,51 @@ void Foam::viscosityModels::LiuCoVolume::evaluate
     {
         nu[i] = nuWater*law_->relativeViscosity(alpha[i]);
     }
+}
+
+
+void Foam::viscosityModels::LiuCoVolume::evaluate
+(
+    scalarField& nu,
+    const scalarField& alpha,
+    const scalarField& c
+) const
+{
+    const scalar nuWater = this->nuWater().value();
+
+    forAll(nu, i)
+    {
+        // Also of not a number
+        if (!(c[i] > 0))
+        {
+            FatalErrorInFunction
+                << "The concentration of salt is " << c[i] << " mol/m3 in "
+                << "field " << concentrationName << " at time "
+                << U_.time().timeName() << nl
+                << "Without salt the platelets' double layers have no end;"
+                << " it has to be above zero everywhere"
+                << exit(FatalError);
+        }
+        nu[i] = nuWater*law_->at(c[i]).relativeViscosity(alpha[i]);
+    }
+}
+
+
+const Foam::volScalarField*
+Foam::viscosityModels::LiuCoVolume::localConcentration() const
+{
+    const auto* c = U_.db().findObject<volScalarField>(concentrationName);
+
+    if (c && c->dimensions() != dimMoles/dimVolume)
+    {
+        FatalErrorInFunction
+            << c->objectPath() << " has dimensions " << c->dimensions() << nl
+            << "A field of this name is taken for the concentration of salt,"
+            << " mol/m3, [0 -3 0 0 1 0 0]"
+            << exit(FatalError);
+    }
+
+    return c;
 }
 
 
@@ -228,7 +292,21 @@ void Foam::viscosityModels::LiuCoVolume::correct()
     const volScalarField& alpha = this->alpha();
     updateLaw();
 
-    evaluate(nu_.primitiveFieldRef(), alpha.primitiveField());
+    const volScalarField* c = localConcentration();
+
+    if (c)
+    {
+        evaluate
+        (
+            nu_.primitiveFieldRef(),
+            alpha.primitiveField(),
+            c->primitiveField()
+        );
+    }
+    else
+    {
+        evaluate(nu_.primitiveFieldRef(), alpha.primitiveField());
+    }
     nu_.correctBoundaryConditions();
 
     volScalarField::Boundary& nuBoundary = nu_.boundaryFieldRef();
@@ -237,16 +315,29 @@ void Foam::viscosityModels::LiuCoVolume::correct()
     {
         const fvPatchScalarField& alphaPatch = alpha.boundaryField()[patchi];
 
-        // A calculated value is left to whoever made the field, who need not
+        if (alphaPatch.coupled())
+        {
+            continue;
+        }
+
         if
         (
-            alphaPatch.fixesValue()
-         && !isA<calculatedFvPatchScalarField>(alphaPatch)
+            c
+         && (isFixed(alphaPatch) || isFixed(c->boundaryField()[patchi]))
         )
+        {
+            evaluate
+            (
+                nuBoundary[patchi],
+                fixedOrInternal(alphaPatch),
+                fixedOrInternal(c->boundaryField()[patchi])
+            );
+        }
+        else if (isFixed(alphaPatch))
         {
             evaluate(nuBoundary[patchi], alphaPatch);
         }
-        else if (!alphaPatch.coupled())
+        else
         {
             nuBoundary[patchi] = nuBoundary[patchi].patchInternalField();
         }

@@ -6,6 +6,7 @@
 #include "fractureFlow.H"
 #include "LiuCoVolume.H"
 #include "calculatedFvPatchFields.H"
+#include "zeroGradientFvPatchFields.H"
 
 namespace Foam
 {
@@ -107,9 +108,11 @@ const Foam::volScalarField& Foam::fractureFlow::apertureRatio()
             (
                 IOobject("apertureRatio", mesh_.time().timeName(), mesh_),
                 mesh_,
-                dimensionedScalar("1", dimless, 1)
+                dimensionedScalar("one", dimless, 1),
+                zeroGradientFvPatchScalarField::typeName
             )
         );
     }
+
     return *apertureRatio_;
 }
