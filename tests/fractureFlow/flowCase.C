@@ -579,10 +579,10 @@ void flowCase::writeP(const std::map<word, string>& patches) const
 }
 
 
-dictionary& flowCase::controls()
+dictionary& flowCase::controls(const word& model)
 {
     return
-        const_cast<dictionary&>(mesh_->solutionDict()).subDictOrAdd("Stokes");
+        const_cast<dictionary&>(mesh_->solutionDict()).subDictOrAdd(model);
 }
 
 

@@ -95,19 +95,10 @@ void Foam::fractureFlows::StokesFlow::readControls()
 
 void Foam::fractureFlows::StokesFlow::checkBoundaryConditions() const
 {
-    if (p_.dimensions() != dimPressure/dimDensity)
-    {
-        FatalErrorInFunction
-            << p_.objectPath() << " has dimensions " << p_.dimensions() << nl
-            << "Model " << typeName << " needs the kinematic pressure,"
-            << " [0 2 -2 0 0 0 0], as OpenFOAM's incompressible solvers do"
-            << exit(FatalError);
-    }
-
-    forAll(p_.boundaryField(), patchi)
+    forAll(p().boundaryField(), patchi)
     {
         const fvPatchVectorField& Up = U().boundaryField()[patchi];
-        const fvPatchScalarField& pp = p_.boundaryField()[patchi];
+        const fvPatchScalarField& pp = p().boundaryField()[patchi];
 
         if (StokesSystem::given(Up) && pp.fixesValue() && !pp.coupled())
         {
@@ -123,53 +114,6 @@ void Foam::fractureFlows::StokesFlow::checkBoundaryConditions() const
 }
 
 
-void Foam::fractureFlows::StokesFlow::checkInflow() const
-{
-    if (!p_.needReference())
-    {
-        return;
-    }
-
-    scalar net = 0;
-    scalar gross = 0;
-
-    for (const fvsPatchScalarField& phip : phi().boundaryField())
-    {
-        if (!phip.coupled())
-        {
-            net += sum(phip);
-            gross += sumMag(phip);
-        }
-    }
-    reduce(net, sumOp<scalar>());
-    reduce(gross, sumOp<scalar>());
-
-    if (mag(net) > residual_*gross)
-    {
-        FatalErrorInFunction
-            << "U is given on all patches, and " << net/gross
-            << " of what passes them is left over" << nl
-            << "Give p on an outlet (fixedValue, and zeroGradient for U), or"
-            << " velocities that balance to Stokes { residual " << residual_
-            << "; }"
-            << exit(FatalError);
-    }
-}
-
-
-Foam::vector Foam::fractureFlows::StokesFlow::drivingForce()
-{
-    if (!pressureGradient_.valid())
-    {
-        return Zero;
-    }
-
-    return
-       -pressureGradient_->value(mesh().time().value())
-       /viscosity().water().density;
-}
-
-
 Foam::fractureFlows::StokesFlow::StokesFlow
 (
     fvMesh& mesh,
@@ -177,28 +121,9 @@ Foam::fractureFlows::StokesFlow::StokesFlow
     const dictionary& coeffs
 )
 :
-    fractureFlow(mesh, alpha, coeffs, IOobject::MUST_READ),
-    p_
-    (
-        IOobject
-        (
-            "p",
-            mesh.time().timeName(),
-            mesh,
-            IOobject::MUST_READ,
-            IOobject::AUTO_WRITE
-        ),
-        mesh
-    )
+    pressureFlow(mesh, alpha, coeffs)
 {
     colloid::checkWords(coeffs, wordList({"pressureGradient"}));
-
-    if (coeffs.found("pressureGradient"))
-    {
-        pressureGradient_ =
-            colloid::readFunction1<vector>(coeffs, "pressureGradient", "Pa/m");
-    }
-
     checkBoundaryConditions();
     readControls();
 }
@@ -210,18 +135,18 @@ Foam::scalar Foam::fractureFlows::StokesFlow::drivingResidual
 )
 {
     const vectorField U0(U().primitiveField());
-    const scalarField p0(p_.primitiveField());
+    const scalarField p0(p().primitiveField());
 
     URef().primitiveFieldRef() = Zero;
-    p_.primitiveFieldRef() = Zero;
+    pRef().primitiveFieldRef() = Zero;
 
     flowState r(mesh().nCells());
-    system.residual(URef(), p_, phiRef(), r);
+    system.residual(URef(), pRef(), phiRef(), r);
 
-    checkInflow();
+    checkInflow(residual_);
 
     URef().primitiveFieldRef() = U0;
-    p_.primitiveFieldRef() = p0;
+    pRef().primitiveFieldRef() = p0;
 
     return Foam::sqrt(system.product(r, r));
 }
@@ -234,7 +159,7 @@ void Foam::fractureFlows::StokesFlow::iterate
 )
 {
     flowState r(mesh().nCells());
-    system.residual(URef(), p_, phiRef(), r);
+    system.residual(URef(), pRef(), phiRef(), r);
     residuals_.append(Foam::sqrt(system.product(r, r))/unit);
 
     if (residuals_.last() <= residual_)
@@ -246,7 +171,7 @@ void Foam::fractureFlows::StokesFlow::iterate
     (
         system,
         U(),
-        p_,
+        p(),
         velocityControls_,
         pressureControls_
     );
@@ -256,7 +181,7 @@ void Foam::fractureFlows::StokesFlow::iterate
         system,
         preconditioner,
         URef(),
-        p_,
+        pRef(),
         phiRef(),
         r,
         nDirections_
@@ -278,32 +203,6 @@ void Foam::fractureFlows::StokesFlow::iterate
 }
 
 
-void Foam::fractureFlows::StokesFlow::setPressureLevel()
-{
-    if (!p_.needReference())
-    {
-        return;
-    }
-
-    const dictionary controls
-    (
-        mesh().solutionDict().subOrEmptyDict(typeName)
-    );
-    const label cell = controls.getOrDefault<label>("pRefCell", 0);
-    const scalar value = controls.getOrDefault<scalar>("pRefValue", 0);
-
-    // In parallel the cell is the master's, as for other OpenFOAM solvers
-    scalar level = 0;
-    if (Pstream::master() && cell < p_.size())
-    {
-        level = value - p_[cell];
-    }
-    reduce(level, sumOp<scalar>());
-
-    p_ += dimensionedScalar("level", p_.dimensions(), level);
-}
-
-
 void Foam::fractureFlows::StokesFlow::solve()
 {
     readControls();
@@ -321,14 +220,14 @@ void Foam::fractureFlows::StokesFlow::solve()
     {
         // Nothing drives the water; the solution is known
         URef().primitiveFieldRef() = Zero;
-        p_.primitiveFieldRef() = Zero;
+        pRef().primitiveFieldRef() = Zero;
 
         flowState r(mesh().nCells());
-        system.residual(URef(), p_, phiRef(), r);
+        system.residual(URef(), pRef(), phiRef(), r);
         residuals_.append(0);
     }
 
-    setPressureLevel();
+    setPressureLevel(mesh().solutionDict().subOrEmptyDict(typeName));
 
     // The first, and those that are harder: a run's log has a line per step
     if (residuals_.size() > mostResiduals_)

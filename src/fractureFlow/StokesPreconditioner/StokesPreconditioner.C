@@ -6,7 +6,6 @@
 #include "StokesPreconditioner.H"
 #include "fixedValueFvPatchFields.H"
 #include "fvcSurfaceIntegrate.H"
-#include "gaussLaplacianScheme.H"
 #include "linear.H"
 #include "slipFvPatchFields.H"
 #include "zeroGradientFvPatchFields.H"
@@ -63,63 +62,6 @@ Foam::wordList Foam::StokesPreconditioner::correctionTypes
 }
 
 
-template<class Type>
-Foam::autoPtr<Foam::fvMatrix<Type>> Foam::StokesPreconditioner::makeMatrix
-(
-    const surfaceScalarField& conductance,
-    GeometricField<Type, fvPatchField, volMesh>& field,
-    scalar& scale
-) const
-{
-    auto matrix = autoPtr<fvMatrix<Type>>::New
-    (
-       -fv::gaussLaplacianScheme<Type, scalar>::fvmLaplacianUncorrected
-        (
-            conductance*mesh_.magSf(),
-            mesh_.nonOrthDeltaCoeffs(),
-            field
-        )
-    );
-
-    // Of the interior, since a mesh without walls has no other
-    scale = gAverage(matrix().diag());
-
-    matrix() *= dimensionedScalar("scale", dimless, 1/scale);
-
-    return matrix;
-}
-
-
-template<class Type>
-void Foam::StokesPreconditioner::solve
-(
-    fvMatrix<Type>& matrix,
-    const scalar scale,
-    GeometricField<Type, fvPatchField, volMesh>& field,
-    const Field<Type>& source,
-    const dictionary& controls
-)
-{
-    field == dimensioned<Type>("zero", field.dimensions(), Zero);
-
-    const scalar size = gAverage(mag(source)());
-
-    if (size > 0)
-    {
-        matrix.source() = source/size;
-
-        // Without a line in the log
-        const int logged = SolverPerformance<Type>::debug;
-        SolverPerformance<Type>::debug = 0;
-        matrix.solve(controls);
-        SolverPerformance<Type>::debug = logged;
-
-        field.primitiveFieldRef() *= size/scale;
-        field.correctBoundaryConditions();
-    }
-}
-
-
 void Foam::StokesPreconditioner::makeA(const volVectorField& U)
 {
     bool held = false;
@@ -137,7 +79,7 @@ void Foam::StokesPreconditioner::makeA(const volVectorField& U)
             << exit(FatalError);
     }
 
-    A_ = makeMatrix(system_.faceViscosity(), dU_, scaleA_);
+    A_.reset(new scaledLaplacian<vector>(system_.faceViscosity(), dU_));
 }
 
 
@@ -146,7 +88,7 @@ void Foam::StokesPreconditioner::makeL(const volScalarField& p)
     vectorField unitForce(mesh_.nCells(), vector::one);
     unitForce *= mesh_.V();
 
-    solve(A_(), scaleA_, dU_, unitForce, velocityControls_);
+    A_->solve(dU_, unitForce, velocityControls_);
 
     // The inner solution need not be positive everywhere
     const scalar floor = 1e-12*gMax(mag(dU_.primitiveField())());
@@ -158,17 +100,19 @@ void Foam::StokesPreconditioner::makeL(const volScalarField& p)
 
     const surfaceVectorField n(mesh_.Sf()/mesh_.magSf());
 
-    L_ = makeMatrix
+    L_.reset
     (
-        (cmptMultiply(linearInterpolate(dU_), n) & n)(),
-        dp_,
-        scaleL_
+        new scaledLaplacian<scalar>
+        (
+            (cmptMultiply(linearInterpolate(dU_), n) & n)(),
+            dp_
+        )
     );
 
     // Any level of p does where none is given
     if (p.needReference())
     {
-        L_->setReference(Pstream::master() ? 0 : -1, 0);
+        L_->hold();
     }
 }
 
@@ -215,9 +159,7 @@ Foam::StokesPreconditioner::StokesPreconditioner
         mesh_,
         dimensionedScalar(p.dimensions(), Zero),
         correctionTypes(p)
-    ),
-    scaleA_(1),
-    scaleL_(1)
+    )
 {
     makeA(U);
     makeL(p);
@@ -226,7 +168,7 @@ Foam::StokesPreconditioner::StokesPreconditioner
 
 void Foam::StokesPreconditioner::apply(const flowState& r, flowState& z)
 {
-    solve(L_(), scaleL_, dp_, r.continuity, pressureControls_);
+    L_->solve(dp_, r.continuity, pressureControls_);
 
     z.continuity =
         dp_.primitiveField()
@@ -242,10 +184,8 @@ void Foam::StokesPreconditioner::apply(const flowState& r, flowState& z)
         system_.pressureForce(dp_)()
     );
 
-    solve
+    A_->solve
     (
-        A_(),
-        scaleA_,
         dU_,
         (r.momentum - mesh_.V()*pressureForce)(),
         velocityControls_

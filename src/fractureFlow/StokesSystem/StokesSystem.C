@@ -10,19 +10,13 @@
 #include "fixedValueFvPatchFields.H"
 #include "fvcSnGrad.H"
 #include "fvcSurfaceIntegrate.H"
+#include "harmonicMean.H"
 #include "linear.H"
 #include "partialSlipFvPatchFields.H"
-#include "reverseLinear.H"
 #include "wallFvPatch.H"
 
 namespace Foam
 {
-
-//- 1/(reciprocals weighted with the distances of the cells from the face)
-static tmp<surfaceScalarField> harmonicMean(const volScalarField& values)
-{
-    return 1/reverseLinear<scalar>(values.mesh()).interpolate(1/values);
-}
 
 //- Sum over the faces of a cell over its volume, on boundaries the cell's
 template<class Type>

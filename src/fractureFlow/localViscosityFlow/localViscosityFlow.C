@@ -92,16 +92,7 @@ void Foam::fractureFlows::localViscosityFlow::checkAlongGel
 
 void Foam::fractureFlows::localViscosityFlow::reconstructU()
 {
-    // As fvc::reconstruct, which puts the product over one of its factors: on a
-    // mesh that is not aligned to the last digit, components of U then come out
-    // of those that are there already (GCC 12; a thousandth of U wrong)
-    const surfaceVectorField normals(mesh().Sf()/mesh().magSf());
-    const volTensorField shapes(fvc::surfaceSum(normals*mesh().Sf()));
-    const volTensorField inverse(inv(shapes));
-    const volVectorField sums(fvc::surfaceSum(normals*phi()));
-
-    URef().primitiveFieldRef() =
-        inverse.primitiveField() & sums.primitiveField();
+    URef().primitiveFieldRef() = velocityOfFlux();
 
     // The cell's value on the boundary, but for the flux
     forAll(U().boundaryField(), patchi)
