@@ -299,7 +299,7 @@ scalar errorOfRim
             const scalar area =
                 t.c.mesh().magSf().boundaryField()[gel][i];
             const scalar q0 =
-                -flux[i]/area*std::sqrt(x/(D0*waterVelocity));
+                -2*flux[i]/area*std::sqrt(x/(D0*waterVelocity));
 
             worst = max(worst, mag(q0/rim.edgeLoss() - 1));
         }

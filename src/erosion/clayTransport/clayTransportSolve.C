@@ -767,6 +767,12 @@ Foam::scalar Foam::clayTransport::iterate()
     overUpwind_ =
         advected() - phi_*upwind<scalar>(mesh_, phi_).interpolate(alpha_);
 
+    // and half of it is that of the iteration before, or limiters flip for ever
+    if (lastOverUpwind_.valid())
+    {
+        overUpwind_.ref() = 0.5*(overUpwind_() + lastOverUpwind_());
+    }
+
     const scalarField old(alpha_.primitiveField());
     const scalarField rate(old.size(), Zero);
     surfaceScalarField F("F", alphaPhi_);
@@ -781,7 +787,7 @@ Foam::scalar Foam::clayTransport::iterate()
         {
             ++nSteps_;
             nextDeltaT_ *= min(max(growth, scalar(0.5)), scalar(2));
-            overUpwind_.clear();
+            lastOverUpwind_ = overUpwind_;
             return residual;
         }
         refuseAfter(40, nTries, nextDeltaT_);
