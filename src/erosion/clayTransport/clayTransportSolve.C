@@ -413,6 +413,15 @@ void Foam::clayTransport::addSettling
             patch.coupled() ? patch.patchNeighbourField()() : scalarField(patch)
         );
         scalarField& patchF = F.boundaryFieldRef()[patchi];
+        const scalarField valueInternal
+        (
+            patch.coupled()
+          ? scalarField()
+          : patch.valueInternalCoeffs
+            (
+                mesh_.weights().boundaryField()[patchi]
+            )()
+        );
 
         forAll(patchF, i)
         {
@@ -422,13 +431,22 @@ void Foam::clayTransport::addSettling
 
             patchF[i] += velocity*a;
 
-            if (derivatives && d > 0)
+            if (!derivatives)
+            {
+                continue;
+            }
+            if (d > 0)
             {
                 derivatives->internalCoeffs()[patchi][i] += velocity;
             }
-            else if (derivatives && patch.coupled())
+            else if (patch.coupled())
             {
                 derivatives->boundaryCoeffs()[patchi][i] -= velocity;
+            }
+            else
+            {
+                derivatives->internalCoeffs()[patchi][i] +=
+                    velocity*valueInternal[i];
             }
         }
     }
@@ -555,7 +573,7 @@ Foam::scalar Foam::clayTransport::errorOf
             0.5*(alpha[celli] - old[celli] - deltaT*rate[celli]);
 
         sum += V[celli]*sqr(error/(alpha[celli] + clayFloor));
-        volume += alpha[celli] > clayFloor ? V[celli] : 0;
+        volume += V[celli]*max(alpha[celli], scalar(0))/(alpha[celli] + clayFloor);
     }
     reduce(sum, sumOp<scalar>());
     reduce(volume, sumOp<scalar>());
@@ -596,6 +614,12 @@ bool Foam::clayTransport::step
         return gMax(mag(missing/stiffness));
     };
     scalar size = sizeOf();
+
+    if (relative > 0 && size < ROOTVSMALL + 1e-14*gMax(alpha))
+    {
+        // Round-off
+        return true;
+    }
     const scalar start = size;
     const scalar enough = relative > 0 ? relative*start : residual_;
 
@@ -755,13 +779,13 @@ Foam::scalar Foam::clayTransport::iterate()
 {
     begin();
 
-    // Of the present alpha with the present flow
+    // Of the present alpha with the present flow: over what passes the boundary
+    // or, where nothing does, what moves within
     flux(alphaPhi_, nullptr);
     const scalar residual =
-        gSum(mag(outflow(alphaPhi_)))/max(throughBoundary(), VSMALL);
+        gSum(mag(outflow(alphaPhi_)))
+       /max(max(throughBoundary(), 1e-3*gSum(mag(alphaPhi_.primitiveField()))), VSMALL);
 
-    // A step of a time that is not followed closely: it grows without limit as
-    // alpha comes to rest, and shrinks where the flow answers too much
     // What the scheme adds to upwind stays as it is meanwhile: a limited one
     // would keep Newton's method from converging in so large a step
     overUpwind_ =
@@ -770,7 +794,15 @@ Foam::scalar Foam::clayTransport::iterate()
     // and half of it is that of the iteration before, or limiters flip for ever
     if (lastOverUpwind_.valid())
     {
-        overUpwind_.ref() = 0.5*(overUpwind_() + lastOverUpwind_());
+        overUpwind_.ref() =
+            0.5*(overUpwind_() + lastOverUpwind_());
+    }
+    // Shorter steps where the residual has grown, until it is less again
+    const bool worse = residual > 1.2*bestResidual_;
+    bestResidual_ = min(bestResidual_, residual);
+    if (worse)
+    {
+        nextDeltaT_ = max(0.3*nextDeltaT_, mesh_.time().deltaTValue());
     }
 
     const scalarField old(alpha_.primitiveField());
@@ -786,7 +818,7 @@ Foam::scalar Foam::clayTransport::iterate()
         if (solved && (error < 2*steadyTolerance))
         {
             ++nSteps_;
-            nextDeltaT_ *= min(max(growth, scalar(0.5)), scalar(2));
+            nextDeltaT_ *= min(max(growth, scalar(0.5)), scalar(worse ? 1 : 2));
             lastOverUpwind_ = overUpwind_;
             return residual;
         }
