@@ -120,9 +120,11 @@ Foam::scalar Foam::rimSweep::input::at(const scalar part) const
 }
 
 
-Foam::scalar Foam::rimSweep::bar::span() const
+Foam::scalar Foam::rimSweep::bar::span(const scalar base) const
 {
-    return mag(upper - lower);
+    const scalar least = min(base, min(lower, upper));
+
+    return least > 0 ? max(base, max(lower, upper))/least : GREAT;
 }
 
 
@@ -327,9 +329,9 @@ Foam::rimSweep::rimSweep
     }
     std::sort
     (
-        bars_.begin(), bars_.end(), [](const bar& a, const bar& b)
+        bars_.begin(), bars_.end(), [this](const bar& a, const bar& b)
         {
-            return a.span() > b.span();
+            return a.span(base_) > b.span(base_);
         }
     );
 
