@@ -158,6 +158,23 @@ TEST(erosionBracket, warnsOfARimThinnerThanTheAperture)
 }
 
 
+// Not the root of a negative number
+TEST(erosionBracket, refusesClayThatCoagulates)
+{
+    const LiusClay clay
+    (
+        "water { concentration 100; } viscosity { gelStop off; }"
+    );
+    EXPECT_LT(clay.D.value(0.05), 0);
+    EXPECT_NE
+    (
+        messageOf([&] { erosionBracket(matterOf(clay), 0.05); })
+           .find("coagulates"),
+        std::string::npos
+    );
+}
+
+
 TEST(erosionBracket, isPrintedInTheUnitsOfTheField)
 {
     const LiusClay clay

@@ -124,15 +124,6 @@ Foam::erosionBracket::erosionBracket
 )
 :
     fraction_(edgeFraction),
-    penetration_
-    ({
-        "formula 2-2",
-        2*edgeFraction*std::sqrt
-        (
-            clay.clay.diffusivity(edgeFraction)/constant::mathematical::pi
-        ),
-        0
-    }),
     printed_
     (
         rimTheory
@@ -162,7 +153,16 @@ Foam::erosionBracket::erosionBracket
             clay.flocs,
             edgeFraction
         )
-    )
+    ),
+    penetration_
+    ({
+        "formula 2-2",
+        2*edgeFraction*std::sqrt
+        (
+            clay.clay.diffusivity(edgeFraction)/constant::mathematical::pi
+        ),
+        0
+    })
 {}
 
 
