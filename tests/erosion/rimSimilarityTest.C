@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 using namespace Foam;
 
@@ -263,6 +264,49 @@ TEST(rimSimilarity, takesStepsOverDecades)
         const scalar fine =
             rimSimilarity(equation, matter, 0.01, 3200).edgeLoss();
         EXPECT_NEAR(coarse/fine, 1, 1e-3);
+    }
+}
+
+
+// D in ten random steps over eight decades, viscosity up to 1e6: what -sweep may
+// meet. The clay still adds up, to what 400 intervals make of steps
+TEST(rimSimilarity, findsTheProfileOfAnyD)
+{
+    std::mt19937 random(1);
+    std::uniform_real_distribution<scalar> decades(-8, 0), gel(0, 6);
+
+    for (label trial = 0; trial < 200; ++trial)
+    {
+        scalarField D(10);
+        for (scalar& value : D)
+        {
+            value = 1e-8*std::pow(10, decades(random));
+        }
+        const scalar stiff = gel(random);
+
+        const rimSimilarity::laws matter
+        {
+            [=](const scalar phi) { return D[min(label(phi/0.002), label(9))]; },
+            [=](const scalar phi) { return std::pow(10, stiff*phi/0.02); },
+            1e-11
+        };
+
+        for (const form equation : {A, C})
+        {
+            const rimSimilarity rim(equation, matter, 0.02);
+            const scalar lost = rim.edgeLoss();
+            EXPECT_GT(lost, 0) << trial;
+            EXPECT_NEAR
+            (
+                rimSimilarity(equation, matter, 0.02, 1600).edgeLoss()/lost,
+                1, 0.02
+            );
+
+            if (equation == C)
+            {
+                EXPECT_NEAR(2*carriedAway(rim, matter)/lost, 1, 0.02) << trial;
+            }
+        }
     }
 }
 
