@@ -450,12 +450,15 @@ flowCase::flowCase(const boxSpec& spec)
     writeFile
     (
         "system/fvSchemes",
-        "gradSchemes { default Gauss linear; } divSchemes { default none; }"
-        "laplacianSchemes { default none; }"
+        "gradSchemes { default Gauss linear; } divSchemes { default none;"
+        "div(phi,U) Gauss linear; }"
+        "ddtSchemes { default backward; }"
+        "laplacianSchemes { default none;"
+        "\"laplacian\\((nu,U|rAU,p)\\)\" Gauss linear corrected; }"
         "interpolationSchemes { default linear; }"
         "snGradSchemes { default corrected; }"
     );
-    writeFile("system/fvSolution", "");
+    writeFile("system/fvSolution", spec.solution);
     writeClayProperties
     (
         "water { concentration 0.1; } viscosity { gelStop off; }"

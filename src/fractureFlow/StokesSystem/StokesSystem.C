@@ -116,6 +116,30 @@ Foam::tmp<Foam::surfaceVectorField> Foam::StokesSystem::pressureForce
 }
 
 
+Foam::tmp<Foam::volVectorField> Foam::StokesSystem::pressureGradient
+(
+    const volScalarField& p
+) const
+{
+    return cellDivergence<vector>(pressureForce(p)());
+}
+
+
+Foam::tmp<Foam::volVectorField> Foam::StokesSystem::transposedForce
+(
+    const volVectorField& U
+) const
+{
+    return cellDivergence<vector>
+    (
+        (
+            faceViscosity_*mesh_.magSf()
+           *transposedGradient(U, fvc::snGrad(U)())
+        )()
+    );
+}
+
+
 Foam::tmp<Foam::surfaceVectorField> Foam::StokesSystem::transposedGradient
 (
     const volVectorField& U,
