@@ -7,7 +7,6 @@
 #include "checkWords.H"
 #include "readInRange.H"
 #include "steadyStateDdtScheme.H"
-#include "uniformDimensionedFields.H"
 #include "wallFvPatch.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -231,7 +230,19 @@ Foam::clayTransport::clayTransport
         mesh_,
         dimensionedScalar(dimless/dimTime, Zero)
     ),
-    nextDeltaT_(mesh_.time().deltaTValue()),
+    nextDeltaT_
+    (
+        IOobject
+        (
+            "nextDeltaT",
+            mesh_.time().timeName(),
+            "uniform",
+            mesh_,
+            IOobject::READ_IF_PRESENT,
+            steady() ? IOobject::NO_WRITE : IOobject::AUTO_WRITE
+        ),
+        dimensionedScalar("nextDeltaT", dimTime, mesh_.time().deltaTValue())
+    ),
     clayAtStart_(clay())
 {
     colloid::checkChoice

@@ -769,8 +769,8 @@ void Foam::clayTransport::advance(const scalar deltaT)
         rate = (alpha - old)/part;
         alphaPhi_ += (part/deltaT)*F;
 
-        nextDeltaT_ = part*min(max(growth, scalar(0.2)), scalar(1.5));
-        part = nextDeltaT_;
+        nextDeltaT_.value() = part*min(max(growth, scalar(0.2)), scalar(1.5));
+        part = nextDeltaT_.value();
     }
 }
 
@@ -802,7 +802,7 @@ Foam::scalar Foam::clayTransport::iterate()
     bestResidual_ = min(bestResidual_, residual);
     if (worse)
     {
-        nextDeltaT_ = max(0.3*nextDeltaT_, mesh_.time().deltaTValue());
+        nextDeltaT_.value() = max(0.3*nextDeltaT_.value(), mesh_.time().deltaTValue());
     }
 
     const scalarField old(alpha_.primitiveField());
@@ -811,22 +811,22 @@ Foam::scalar Foam::clayTransport::iterate()
 
     for (label nTries = 0; ; ++nTries)
     {
-        const bool solved = step(old, nextDeltaT_, F, 0.5);
-        const scalar error = solved ? errorOf(old, rate, nextDeltaT_) : GREAT;
+        const bool solved = step(old, nextDeltaT_.value(), F, 0.5);
+        const scalar error = solved ? errorOf(old, rate, nextDeltaT_.value()) : GREAT;
         const scalar growth = steadyTolerance/max(error, SMALL);
 
         if (solved && (error < 2*steadyTolerance))
         {
             ++nSteps_;
-            nextDeltaT_ *= min(max(growth, scalar(0.5)), scalar(worse ? 1 : 2));
+            nextDeltaT_.value() *= min(max(growth, scalar(0.5)), scalar(worse ? 1 : 2));
             lastOverUpwind_ = overUpwind_;
             return residual;
         }
-        refuseAfter(40, nTries, nextDeltaT_);
+        refuseAfter(40, nTries, nextDeltaT_.value());
         ++(solved ? nRepeated_ : nFailed_);
 
         alpha_.primitiveFieldRef() = old;
         alpha_.correctBoundaryConditions();
-        nextDeltaT_ *= 0.25;
+        nextDeltaT_.value() *= 0.25;
     }
 }
