@@ -62,7 +62,7 @@ block.Assembly = 'Hierarchy'
 block.Selectors = ['//internalMesh']
 mesh = Transform(Input=block)
 mesh.Transform.Scale = [scale]*3
-mesh.TransformAllInputVectors = 0        # velocities stay in m/s
+mesh.TransformAllInputVectors = 1        # velocities are scaled too
 plane = Slice(Input=mesh)
 plane.SliceType.Origin, plane.SliceType.Normal = middle, [0, 0, 1]
 plane.Triangulatetheslice = 0
@@ -172,7 +172,7 @@ label.Text = '%s; %s' % (
     'steady' if steady else 'time %.4g %s' % (
         (time/year, 'years') if time > year else
         (time/3600, 'h') if time > 3600 else (time, 's')),
-    'streamlines, fastest water %.3g m/s' % fastest if fastest > 0 else 'water at rest')
+    'streamlines, fastest water %.3g m/s' % (fastest/scale) if fastest > 0 else 'water at rest')
 shown = Show(label, view)
 shown.Color = [0, 0, 0]
 shown.FontSize = 20

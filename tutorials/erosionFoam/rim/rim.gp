@@ -15,22 +15,23 @@ array at[5] = [0.0003, 0.001, 0.0025, 0.005, 0.009]
 shade(k) = word("#a6cee3 #6fb1d8 #3f8fc5 #0b4f94 #062a5e", k)
 name(k) = sprintf("%.2g mm", 1e3*at[k])
 
-set multiplot layout 1, 3 margins 0.055, 0.985, 0.12, 0.92 spacing 0.075, 0.1
+set multiplot layout 1, 3 margins 0.065, 0.985, 0.12, 0.92 spacing 0.075, 0.1
 set grid lt 1 lw 1 lc rgb "#e4e4e4"
 set key opaque bottom left samplen 2.5 spacing 1.15
 
 set title "solid fraction above the gel"
 set xlabel "distance from the gel [mm]"
 set ylabel "alpha.clay/0.0054 [-]"
-set xrange [0:0.9]
+set xrange [0:1.3]
 set yrange [0:1]
-set key title "along the edge"
+set key title "along the edge" top right
 plot for [k = 1:5] profile(at[k]) using ($2*1e3):($3/edge) \
     with lines lw 2.5 lc rgb shade(k) title name(k)
 
 set title "the same over the similarity coordinate"
 set xlabel "z = y/2(D_0x/u_0)^{1/2} [-]"
 set xrange [0:8]
+set key bottom left
 plot for [k = 1:5] profile(at[k]) using (z($1, $2)):($3/edge) \
     with linespoints pt k + 3 ps 0.7 lw 1.5 lc rgb shade(k) title name(k)
 
