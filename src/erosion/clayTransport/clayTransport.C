@@ -7,7 +7,6 @@
 #include "checkWords.H"
 #include "readInRange.H"
 #include "steadyStateDdtScheme.H"
-#include "wallFvPatch.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -36,119 +35,14 @@ void Foam::clayTransport::readControls()
 }
 
 
-void Foam::clayTransport::makeDiffusing(const dictionary& dict)
-{
-    if (dict.found("withoutDiffusionAlong", keyType::LITERAL))
-    {
-        const vector direction(dict.get<vector>("withoutDiffusionAlong"));
-
-        if (mag(direction) < VSMALL)
-        {
-            FatalIOErrorInFunction(dict)
-                << "withoutDiffusionAlong " << direction
-                << " is no direction" << exit(FatalIOError);
-        }
-        diffusing_ = 1 - sqr
-        (
-            (mesh_.Sf()/mesh_.magSf())
-          & dimensionedVector("along", dimless, direction/mag(direction))
-        );
-        Info<< "No diffusion along " << direction << endl;
-    }
-}
-
-
-void Foam::clayTransport::updatePotential()
-{
-    if (salt_)
-    {
-        potential_.setVarying();
-        return;
-    }
-
-    concentration_ = matter_.waterAt(mesh_.time().value()).concentration;
-    potential_.setUniform(concentration_);
-}
-
-
-bool Foam::clayTransport::settlesThrough(const label patchi) const
-{
-    const fvPatch& patch = mesh_.boundary()[patchi];
-
-    return
-        patch.coupled()
-     || (patch.type() == "patch" && !isA<wallFvPatch>(patch));
-}
-
-
-void Foam::clayTransport::decideGravity()
-{
-    if (gravity_ == "off")
-    {
-        return;
-    }
-
-    IOobject io
-    (
-        "g",
-        mesh_.time().constant(),
-        mesh_,
-        IOobject::MUST_READ,
-        IOobject::NO_WRITE
-    );
-
-    if (!io.typeHeaderOk<uniformDimensionedVectorField>(true))
-    {
-        if (gravity_ == "on")
-        {
-            FatalErrorInFunction
-                << "gravity on in erosionProperties needs the file "
-                << io.objectPath() << exit(FatalError);
-        }
-        Info<< "Gravity off: no file constant/g" << endl;
-        gravity_ = "off";
-        return;
-    }
-
-    const vector g(uniformDimensionedVectorField(io).value());
-    const colloid::water solution(matter_.waterAt(mesh_.time().value()));
-    const colloid::platelet& clay = matter_.clay();
-
-    friction_ = matter_.newFriction("KozenyCarman", solution);
-    weight_ = clay.volume()*(clay.density - solution.density)*g;
-
-    const scalar settling = mag(weight_)/friction_->value(0);
-    const scalar flow =
-        gMax((mag(phi_)/mesh_.magSf())().primitiveField());
-    const scalar measure = settling/max(flow, VSMALL);
-    const bool on = gravity_ == "on" || measure > tolerance_;
-
-    Info<< "Gravity " << (on ? "on" : "off") << ": a platelet sinks by "
-        << settling << " m/s, the water flows by up to " << flow << nl
-        << "    m/s: ";
-    if (gravity_ == "on")
-    {
-        Info<< "as erosionProperties says" << endl;
-    }
-    else
-    {
-        Info<< measure << " against the tolerance " << tolerance_ << endl;
-    }
-
-    if (!on)
-    {
-        weight_ = Zero;
-    }
-    gravity_ = on ? "on" : "off";
-}
-
-
 void Foam::clayTransport::checkBounds() const
 {
+    // A run may leave what the residual allows
+    const scalar slack = 10*residual_;
     const scalar least = gMin(alpha_.primitiveField());
     const scalar most = gMax(alpha_.primitiveField());
 
-    if (least < 0 || most > packing_)
+    if (least < -slack || most > packing_ + slack)
     {
         FatalErrorInFunction
             << alpha_.name() << " is from " << least << " to " << most
@@ -161,7 +55,7 @@ void Foam::clayTransport::checkBounds() const
     {
         const fvPatchScalarField& patch = alpha_.boundaryField()[patchi];
 
-        if (patch.size() && (min(patch) < 0 || max(patch) > packing_))
+        if (patch.size() && (min(patch) < -slack || max(patch) > packing_ + slack))
         {
             FatalErrorInFunction
                 << alpha_.name() << " on the patch "
@@ -188,29 +82,16 @@ Foam::clayTransport::clayTransport
 )
 :
     mesh_(alpha.mesh()),
-    matter_(matter),
     alpha_(alpha),
-    phi_(phi),
     aperture_(apertureRatio),
-    salt_(salt),
-    packing_(colloid::readInRange(properties, "packing", 0.65, 1e-3, 0.999, "(-)")),
-    potential_(properties.subDict("diffusivity"), matter, packing_),
-    concentration_(0),
-    diffusing_
+    packing_
     (
-        IOobject("diffusing", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimensionedScalar("1", dimless, 1)
+        colloid::readInRange(properties, "packing", 0.65, 1e-3, 0.999, "(-)")
     ),
-    skewed_
+    flux_
     (
-        gMax(mag(mesh_.nonOrthCorrectionVectors())().primitiveField()) > 1e-8
+        alpha, phi, apertureRatio, salt, matter, properties, packing_
     ),
-    gravity_
-    (
-        properties.getOrDefault<word>("gravity", "auto", keyType::LITERAL)
-    ),
-    weight_(Zero),
     alphaPhi_
     (
         IOobject("alphaPhi", mesh_.time().timeName(), mesh_),
@@ -242,31 +123,10 @@ Foam::clayTransport::clayTransport
             steady() ? IOobject::NO_WRITE : IOobject::AUTO_WRITE
         ),
         dimensionedScalar("nextDeltaT", dimTime, mesh_.time().deltaTValue())
-    ),
-    clayAtStart_(clay())
+    )
 {
-    colloid::checkChoice
-    (
-        properties, "gravity", gravity_, wordList({"on", "off", "auto"})
-    );
     readControls();
     checkBounds();
-    makeDiffusing(properties);
-    updatePotential();
-
-    if (!salt_)
-    {
-        const coexistence& phases = potential_.uniform().phases();
-
-        if (phases.kind() == coexistence::state::twoPhases)
-        {
-            Info<< "Attraction wins between the solid fractions "
-                << phases.lower() << " and " << phases.upper()
-                << ": clay there is a gel of " << phases.gel() << nl
-                << "    beside a sol of " << phases.sol()
-                << ", and does not spread between the two" << endl;
-        }
-    }
 }
 
 

@@ -4,10 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "clayTransport.H"
-#include "fvcGrad.H"
-#include "linear.H"
-#include "surfaceInterpolationScheme.H"
-#include "upwind.H"
 #include "zeroGradientFvPatchFields.H"
 
 namespace
@@ -19,468 +15,13 @@ constexpr Foam::scalar clayFloor = 1e-4;
 // Change of a step towards the steady state, measured likewise
 constexpr Foam::scalar steadyTolerance = 1;
 
+// Of a time step: each brings the advection nearer to that of its end
+constexpr Foam::label nSchemeUpdates = 3;
+
 } // End anonymous namespace
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::scalarField Foam::clayTransport::outflow(const surfaceScalarField& F)
-{
-    const fvMesh& mesh = F.mesh();
-    scalarField sum(mesh.nCells(), Zero);
-
-    const labelUList& owner = mesh.owner();
-    const labelUList& neighbour = mesh.neighbour();
-    const scalarField& internal = F.primitiveField();
-
-    forAll(internal, facei)
-    {
-        sum[owner[facei]] += internal[facei];
-        sum[neighbour[facei]] -= internal[facei];
-    }
-    forAll(F.boundaryField(), patchi)
-    {
-        const scalarField& patch = F.boundaryField()[patchi];
-        const labelUList& cells = mesh.boundary()[patchi].faceCells();
-
-        forAll(patch, i)
-        {
-            sum[cells[i]] += patch[i];
-        }
-    }
-    return sum;
-}
-
-
-void Foam::clayTransport::addDerivatives
-(
-    fvScalarMatrix& matrix,
-    const scalarField& byOwner,
-    const scalarField& byNeighbour
-)
-{
-    // What leaves the owner enters the neighbour; the diagonal follows at last
-    scalarField& lower = matrix.lower();
-    scalarField& upper = matrix.upper();
-
-    forAll(byOwner, facei)
-    {
-        lower[facei] -= byOwner[facei];
-        upper[facei] += byNeighbour[facei];
-    }
-}
-
-
-Foam::tmp<Foam::surfaceScalarField> Foam::clayTransport::advected() const
-{
-    ITstream& entry = mesh_.divScheme("div(phi,alpha.clay)");
-    const word Gauss(entry);
-
-    if (Gauss != "Gauss")
-    {
-        FatalIOErrorInFunction(mesh_.schemesDict().subDict("divSchemes"))
-            << "div(phi,alpha.clay) begins with " << Gauss << nl
-            << "Valid: Gauss and an interpolation scheme, such as"
-            << " 'Gauss vanLeer'" << exit(FatalIOError);
-    }
-    const tmp<surfaceInterpolationScheme<scalar>> scheme
-    (
-        surfaceInterpolationScheme<scalar>::New(mesh_, phi_, entry)
-    );
-    return phi_*scheme().interpolate(alpha_);
-}
-
-
-void Foam::clayTransport::addAdvection
-(
-    surfaceScalarField& F,
-    fvScalarMatrix* derivatives
-) const
-{
-    F +=
-        overUpwind_.valid()
-      ? phi_*upwind<scalar>(mesh_, phi_).interpolate(alpha_) + overUpwind_()
-      : advected();
-
-    if (!derivatives)
-    {
-        return;
-    }
-
-    // As upwind, whose matrix has no coefficient of the wrong sign; what limited
-    // schemes add depends on alpha in its own way
-    const scalarField& phi = phi_.primitiveField();
-    addDerivatives
-    (
-        *derivatives,
-        max(phi, scalar(0)),
-        min(phi, scalar(0))
-    );
-    forAll(F.boundaryField(), patchi)
-    {
-        const fvPatchScalarField& patch = alpha_.boundaryField()[patchi];
-        const scalarField& patchPhi = phi_.boundaryField()[patchi];
-
-        if (patch.coupled())
-        {
-            derivatives->internalCoeffs()[patchi] += max(patchPhi, scalar(0));
-            derivatives->boundaryCoeffs()[patchi] -= min(patchPhi, scalar(0));
-        }
-        else
-        {
-            derivatives->internalCoeffs()[patchi] +=
-                patchPhi
-               *patch.valueInternalCoeffs
-                (
-                    mesh_.weights().boundaryField()[patchi]
-                );
-        }
-    }
-}
-
-
-void Foam::clayTransport::evaluate
-(
-    scalarField& potential,
-    scalarField& D,
-    const scalarField& alpha
-) const
-{
-    const diffusionPotential::atConcentration law
-    (
-        potential_.at(concentration_)
-    );
-
-    forAll(alpha, i)
-    {
-        potential[i] = law.value(alpha[i]);
-        D[i] = law.slope(alpha[i]);
-    }
-}
-
-
-void Foam::clayTransport::addDiffusion
-(
-    surfaceScalarField& F,
-    fvScalarMatrix* derivatives
-) const
-{
-    surfaceScalarField J("J", 0*F);
-
-    const surfaceScalarField conductance
-    (
-        linearInterpolate(aperture_)*diffusing_*mesh_.magSf()
-       *mesh_.nonOrthDeltaCoeffs()
-    );
-    const labelUList& owner = mesh_.owner();
-    const labelUList& neighbour = mesh_.neighbour();
-    const scalarField& alpha = alpha_.primitiveField();
-
-    // Potential less that of the other side of a face, and its derivatives
-    const auto difference =
-    [](
-        const diffusionPotential::atConcentration& law,
-        const scalar here,
-        const scalar there
-    )
-    {
-        return law.value(here) - law.value(there);
-    };
-
-    scalarField byOwner(mesh_.nInternalFaces());
-    scalarField byNeighbour(mesh_.nInternalFaces());
-    scalarField D(mesh_.nCells());
-
-    if (salt_)
-    {
-        const surfaceScalarField concentration(linearInterpolate(*salt_));
-
-        forAll(byOwner, facei)
-        {
-            const scalar G = conductance[facei];
-            const label o = owner[facei];
-            const label n = neighbour[facei];
-            const auto law = potential_.at(concentration[facei]);
-
-            J[facei] += G*difference(law, alpha[o], alpha[n]);
-            byOwner[facei] = G*law.slope(alpha[o]);
-            byNeighbour[facei] = -G*law.slope(alpha[n]);
-        }
-        forAll(D, celli)
-        {
-            D[celli] = potential_.at((*salt_)[celli]).slope(alpha[celli]);
-        }
-    }
-    else
-    {
-        scalarField potential(mesh_.nCells());
-        evaluate(potential, D, alpha);
-
-        forAll(byOwner, facei)
-        {
-            const scalar G = conductance[facei];
-            const label o = owner[facei];
-            const label n = neighbour[facei];
-
-            J[facei] += G*(potential[o] - potential[n]);
-            byOwner[facei] = G*D[o];
-            byNeighbour[facei] = -G*D[n];
-        }
-    }
-
-    if (derivatives)
-    {
-        addDerivatives(*derivatives, byOwner, byNeighbour);
-    }
-
-    forAll(J.boundaryField(), patchi)
-    {
-        const fvPatchScalarField& patch = alpha_.boundaryField()[patchi];
-        scalarField& patchJ = J.boundaryFieldRef()[patchi];
-        const scalarField& G = conductance.boundaryField()[patchi];
-        const scalarField inside(patch.patchInternalField());
-
-        if (patch.empty())
-        {
-            continue;
-        }
-
-        const bool coupled = patch.coupled();
-        const scalarField outside
-        (
-            coupled ? patch.patchNeighbourField()() : scalarField(patch)
-        );
-        const scalarField gradient(coupled ? scalarField() : patch.snGrad()());
-        const scalarField gradientInternal
-        (
-            coupled ? scalarField() : patch.gradientInternalCoeffs()()
-        );
-        // Of a processor patch the mean of both sides, elsewhere the boundary's
-        const scalarField concentration
-        (
-            !salt_ ? scalarField()
-          : coupled
-          ? scalarField
-            (
-                mesh_.weights().boundaryField()[patchi]
-               *salt_->boundaryField()[patchi].patchInternalField()
-              + (1 - mesh_.weights().boundaryField()[patchi])
-               *salt_->boundaryField()[patchi].patchNeighbourField()
-            )
-          : scalarField(salt_->boundaryField()[patchi])
-        );
-
-        forAll(patchJ, i)
-        {
-            const auto law = potential_.at
-            (
-                salt_ ? concentration[i] : concentration_
-            );
-
-            if (coupled)
-            {
-                patchJ[i] += G[i]*difference(law, inside[i], outside[i]);
-                if (derivatives)
-                {
-                    derivatives->internalCoeffs()[patchi][i] +=
-                        G[i]*law.slope(inside[i]);
-                    derivatives->boundaryCoeffs()[patchi][i] +=
-                        G[i]*law.slope(outside[i]);
-                }
-                continue;
-            }
-
-            // The mean of D from the cell to the boundary, with the gradient
-            // that the boundary condition has there
-            const scalar step = outside[i] - inside[i];
-            const scalar mean =
-                mag(step) > 1e-12
-              ? -difference(law, inside[i], outside[i])/step
-              : law.slope(inside[i]);
-            const scalar area =
-                G[i]/mesh_.nonOrthDeltaCoeffs().boundaryField()[patchi][i];
-
-            patchJ[i] -= area*mean*gradient[i];
-
-            if (derivatives)
-            {
-                derivatives->internalCoeffs()[patchi][i] -=
-                    area*gradientInternal[i]
-                   *(patch.fixesValue() ? law.slope(inside[i]) : mean);
-            }
-        }
-    }
-
-    if (skewed_)
-    {
-        addSkewness(J, D);
-    }
-    F += J;
-}
-
-
-void Foam::clayTransport::addSkewness
-(
-    surfaceScalarField& J,
-    const scalarField& D
-) const
-{
-    volVectorField gradient(fvc::grad(alpha_));
-    gradient.primitiveFieldRef() *= D;
-    gradient.correctBoundaryConditions();
-
-    const surfaceScalarField correction
-    (
-        linearInterpolate(aperture_)*diffusing_*mesh_.magSf()
-       *(mesh_.nonOrthCorrectionVectors() & linearInterpolate(gradient))
-    );
-
-    // At most as large as the rest, as OpenFOAM's limited 0.5
-    const auto limited = [](const scalar c, const scalar straight)
-    {
-        return sign(c)*min(mag(c), mag(straight));
-    };
-
-    forAll(J, facei)
-    {
-        J[facei] -= limited(correction[facei], J[facei]);
-    }
-    forAll(J.boundaryField(), patchi)
-    {
-        if (alpha_.boundaryField()[patchi].coupled())
-        {
-            scalarField& patchJ = J.boundaryFieldRef()[patchi];
-            const scalarField& c = correction.boundaryField()[patchi];
-
-            forAll(patchJ, i)
-            {
-                patchJ[i] -= limited(c[i], patchJ[i]);
-            }
-        }
-    }
-}
-
-
-void Foam::clayTransport::addSettling
-(
-    surfaceScalarField& F,
-    fvScalarMatrix* derivatives
-) const
-{
-    if (weight_ == vector(Zero))
-    {
-        return;
-    }
-
-    // By the cell from which it sinks
-    const surfaceScalarField drive
-    (
-        linearInterpolate(aperture_)
-       *(mesh_.Sf() & dimensionedVector("weight", dimless, weight_))
-    );
-    const scalarField& alpha = alpha_.primitiveField();
-    const labelUList& owner = mesh_.owner();
-    const labelUList& neighbour = mesh_.neighbour();
-
-    scalarField byOwner(mesh_.nInternalFaces(), Zero);
-    scalarField byNeighbour(mesh_.nInternalFaces(), Zero);
-
-    forAll(byOwner, facei)
-    {
-        const bool fromOwner = drive[facei] > 0;
-        const scalar a = alpha[fromOwner ? owner[facei] : neighbour[facei]];
-        const scalar velocity = drive[facei]/friction_->value(max(a, scalar(0)));
-
-        F[facei] += velocity*a;
-        (fromOwner ? byOwner : byNeighbour)[facei] = velocity;
-    }
-    if (derivatives)
-    {
-        addDerivatives(*derivatives, byOwner, byNeighbour);
-    }
-
-    forAll(F.boundaryField(), patchi)
-    {
-        const fvPatchScalarField& patch = alpha_.boundaryField()[patchi];
-
-        if (!settlesThrough(patchi) || patch.empty())
-        {
-            continue;
-        }
-        const scalarField inside(patch.patchInternalField());
-        const scalarField outside
-        (
-            patch.coupled() ? patch.patchNeighbourField()() : scalarField(patch)
-        );
-        scalarField& patchF = F.boundaryFieldRef()[patchi];
-        const scalarField valueInternal
-        (
-            patch.coupled()
-          ? scalarField()
-          : patch.valueInternalCoeffs
-            (
-                mesh_.weights().boundaryField()[patchi]
-            )()
-        );
-
-        forAll(patchF, i)
-        {
-            const scalar d = drive.boundaryField()[patchi][i];
-            const scalar a = d > 0 ? inside[i] : outside[i];
-            const scalar velocity = d/friction_->value(max(a, scalar(0)));
-
-            patchF[i] += velocity*a;
-
-            if (!derivatives)
-            {
-                continue;
-            }
-            if (d > 0)
-            {
-                derivatives->internalCoeffs()[patchi][i] += velocity;
-            }
-            else if (patch.coupled())
-            {
-                derivatives->boundaryCoeffs()[patchi][i] -= velocity;
-            }
-            else
-            {
-                derivatives->internalCoeffs()[patchi][i] +=
-                    velocity*valueInternal[i];
-            }
-        }
-    }
-}
-
-
-void Foam::clayTransport::flux
-(
-    surfaceScalarField& F,
-    fvScalarMatrix* derivatives
-) const
-{
-    F == dimensionedScalar(F.dimensions(), Zero);
-
-    if (derivatives)
-    {
-        derivatives->lower() = 0;
-        derivatives->upper() = 0;
-        derivatives->diag() = 0;
-        forAll(derivatives->internalCoeffs(), patchi)
-        {
-            derivatives->internalCoeffs()[patchi] = 0;
-            derivatives->boundaryCoeffs()[patchi] = 0;
-        }
-    }
-    addAdvection(F, derivatives);
-    addDiffusion(F, derivatives);
-    addSettling(F, derivatives);
-
-    if (derivatives)
-    {
-        derivatives->negSumDiag();
-    }
-}
 
 
 void Foam::clayTransport::solveFor
@@ -582,11 +123,12 @@ Foam::scalar Foam::clayTransport::errorOf
 }
 
 
-bool Foam::clayTransport::step
+bool Foam::clayTransport::iterateNewton
 (
     const scalarField& old,
     const scalar deltaT,
     surfaceScalarField& F,
+    scalarField& missing,
     const scalar relative
 )
 {
@@ -598,14 +140,13 @@ bool Foam::clayTransport::step
     fvScalarMatrix derivatives(change, dimVolume/dimTime);
 
     // What the fluxes would change alpha by, less what it has changed
-    const auto imbalance = [&](fvScalarMatrix* matrix)
+    const auto evaluate = [&]
     {
         alpha_.correctBoundaryConditions();
-        flux(F, matrix);
-        return scalarField(-outflow(F) - content*(alpha - old));
+        flux_.evaluate(F, &derivatives);
+        missing = -clayFlux::outflow(F) - content*(alpha - old);
     };
-
-    scalarField missing(imbalance(&derivatives));
+    evaluate();
 
     // In units of alpha: what a cell alone would change by
     const scalarField stiffness(derivatives.diag() + content);
@@ -614,19 +155,13 @@ bool Foam::clayTransport::step
         return gMax(mag(missing/stiffness));
     };
     scalar size = sizeOf();
-
-    if (relative > 0 && size < ROOTVSMALL + 1e-14*gMax(alpha))
-    {
-        // Round-off
-        return true;
-    }
     const scalar start = size;
-    const scalar enough = relative > 0 ? relative*start : residual_;
+    const scalar enough =
+        relative > 0
+      ? max(relative*start, ROOTVSMALL + 1e-14*gMax(alpha))
+      : residual_;
 
-    // Towards the steady state anything less will do
-    bool stuck = false;
-
-    for (label i = 0; size > enough && !stuck; ++i)
+    for (label i = 0; size > enough; ++i)
     {
         if (i == maxIterations_ || !(size < GREAT))
         {
@@ -644,7 +179,7 @@ bool Foam::clayTransport::step
         for (label halvings = 0; ; ++halvings)
         {
             alpha = from + share*change.primitiveField();
-            missing = imbalance(&derivatives);
+            evaluate();
             size = sizeOf();
 
             if (size < before || size <= enough)
@@ -653,27 +188,42 @@ bool Foam::clayTransport::step
             }
             if (halvings == 6)
             {
-                if (!(relative > 0 && size < start))
-                {
-                    return false;
-                }
-                stuck = true;
-                break;
+                // Towards the steady state anything less will do
+                return relative > 0 && size < start;
             }
             share *= 0.5;
         }
     }
+    return true;
+}
 
-    if (relative > 0)
+
+bool Foam::clayTransport::step
+(
+    const scalarField& old,
+    const scalar deltaT,
+    surfaceScalarField& F
+)
+{
+    scalarField& alpha = alpha_.primitiveFieldRef();
+    scalarField missing;
+
+    // What limited schemes add to upwind is held while Newton's method works,
+    // and brought up to date after it
+    bool solved = true;
+    for (label i = 0; solved && i < nSchemeUpdates; ++i)
     {
-        // On the way to the steady state
-        alpha = min(max(alpha, scalar(0)), packing_);
-        alpha_.correctBoundaryConditions();
-        return true;
+        flux_.holdScheme(1);
+        solved = iterateNewton(old, deltaT, F, missing);
+        flux_.releaseScheme();
+    }
+    if (!solved)
+    {
+        return false;
     }
 
     // That of the fluxes: conservative whatever the residual
-    alpha += missing/content;
+    alpha += missing*deltaT/(aperture_.primitiveField()*mesh_.V());
     alpha_.correctBoundaryConditions();
 
     return
@@ -716,11 +266,7 @@ Foam::scalar Foam::clayTransport::throughBoundary() const
 void Foam::clayTransport::begin()
 {
     readControls();
-    updatePotential();
-    if (gravity_ == "auto" || (gravity_ == "on" && !friction_.valid()))
-    {
-        decideGravity();
-    }
+    flux_.update(tolerance_);
 }
 
 
@@ -781,22 +327,13 @@ Foam::scalar Foam::clayTransport::iterate()
 
     // Of the present alpha with the present flow: over what passes the boundary
     // or, where nothing does, what moves within
-    flux(alphaPhi_, nullptr);
+    flux_.evaluate(alphaPhi_, nullptr);
     const scalar residual =
-        gSum(mag(outflow(alphaPhi_)))
+        gSum(mag(clayFlux::outflow(alphaPhi_)))
        /max(max(throughBoundary(), 1e-3*gSum(mag(alphaPhi_.primitiveField()))), VSMALL);
 
-    // What the scheme adds to upwind stays as it is meanwhile: a limited one
-    // would keep Newton's method from converging in so large a step
-    overUpwind_ =
-        advected() - phi_*upwind<scalar>(mesh_, phi_).interpolate(alpha_);
+    flux_.holdScheme(0.5);
 
-    // and half of it is that of the iteration before, or limiters flip for ever
-    if (lastOverUpwind_.valid())
-    {
-        overUpwind_.ref() =
-            0.5*(overUpwind_() + lastOverUpwind_());
-    }
     // Shorter steps where the residual has grown, until it is less again
     const bool worse = residual > 1.2*bestResidual_;
     bestResidual_ = min(bestResidual_, residual);
@@ -808,10 +345,16 @@ Foam::scalar Foam::clayTransport::iterate()
     const scalarField old(alpha_.primitiveField());
     const scalarField rate(old.size(), Zero);
     surfaceScalarField F("F", alphaPhi_);
+    scalarField missing;
 
     for (label nTries = 0; ; ++nTries)
     {
-        const bool solved = step(old, nextDeltaT_.value(), F, 0.5);
+        const bool solved =
+            iterateNewton(old, nextDeltaT_.value(), F, missing, 0.5);
+        alpha_.primitiveFieldRef() =
+            min(max(alpha_.primitiveField(), scalar(0)), packing_);
+        alpha_.correctBoundaryConditions();
+
         const scalar error = solved ? errorOf(old, rate, nextDeltaT_.value()) : GREAT;
         const scalar growth = steadyTolerance/max(error, SMALL);
 
@@ -819,7 +362,7 @@ Foam::scalar Foam::clayTransport::iterate()
         {
             ++nSteps_;
             nextDeltaT_.value() *= min(max(growth, scalar(0.5)), scalar(worse ? 1 : 2));
-            lastOverUpwind_ = overUpwind_;
+            flux_.releaseScheme();
             return residual;
         }
         refuseAfter(40, nTries, nextDeltaT_.value());

@@ -352,7 +352,7 @@ Foam::functionObjects::rimErosion::rimErosion
 )
 :
     fvMeshFunctionObject(name, runTime, dict),
-    writeFile(mesh_, name, typeName, dict),
+    writeFile(mesh_, name, name, dict),
     sourcePatch_(-1),
     density_
     (

@@ -1,0 +1,264 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "clayFlux.H"
+#include "checkWords.H"
+#include "uniformDimensionedFields.H"
+#include "wallFvPatch.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::clayFlux::makeDiffusing(const dictionary& dict)
+{
+    if (dict.found("withoutDiffusionAlong", keyType::LITERAL))
+    {
+        const vector direction(dict.get<vector>("withoutDiffusionAlong"));
+
+        if (mag(direction) < VSMALL)
+        {
+            FatalIOErrorInFunction(dict)
+                << "withoutDiffusionAlong " << direction
+                << " is no direction" << exit(FatalIOError);
+        }
+        diffusing_ = 1 - sqr
+        (
+            (mesh_.Sf()/mesh_.magSf())
+          & dimensionedVector("along", dimless, direction/mag(direction))
+        );
+        Info<< "No diffusion along " << direction << endl;
+    }
+}
+
+
+bool Foam::clayFlux::settlesThrough(const label patchi) const
+{
+    const fvPatch& patch = mesh_.boundary()[patchi];
+
+    return
+        patch.coupled()
+     || (patch.type() == "patch" && !isA<wallFvPatch>(patch));
+}
+
+
+void Foam::clayFlux::decideGravity(const scalar tolerance)
+{
+    if (gravity_ == "off")
+    {
+        return;
+    }
+
+    IOobject io
+    (
+        "g",
+        mesh_.time().constant(),
+        mesh_,
+        IOobject::MUST_READ,
+        IOobject::NO_WRITE
+    );
+
+    if (!io.typeHeaderOk<uniformDimensionedVectorField>(true))
+    {
+        if (gravity_ == "on")
+        {
+            FatalErrorInFunction
+                << "gravity on in erosionProperties needs the file "
+                << io.objectPath() << exit(FatalError);
+        }
+        Info<< "Gravity off: no file constant/g" << endl;
+        gravity_ = "off";
+        return;
+    }
+
+    const vector g(uniformDimensionedVectorField(io).value());
+    const colloid::water solution(matter_.waterAt(mesh_.time().value()));
+    const colloid::platelet& clay = matter_.clay();
+
+    friction_ = matter_.newFriction("KozenyCarman", solution);
+    weight_ = clay.volume()*(clay.density - solution.density)*g;
+
+    const scalar settling = mag(weight_)/friction_->value(0);
+    const scalar flow =
+        gMax((mag(phi_)/mesh_.magSf())().primitiveField());
+    const scalar measure = settling/max(flow, VSMALL);
+    const bool on = gravity_ == "on" || measure > tolerance;
+
+    Info<< "Gravity " << (on ? "on" : "off") << ": a platelet sinks by "
+        << settling << " m/s, the water flows by up to " << flow << nl
+        << "    m/s: ";
+    if (gravity_ == "on")
+    {
+        Info<< "as erosionProperties says" << endl;
+    }
+    else
+    {
+        Info<< measure << " against the tolerance " << tolerance << endl;
+    }
+
+    if (!on)
+    {
+        weight_ = Zero;
+    }
+    gravity_ = on ? "on" : "off";
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::clayFlux::clayFlux
+(
+    const volScalarField& alpha,
+    const surfaceScalarField& phi,
+    const volScalarField& apertureRatio,
+    const volScalarField* salt,
+    const colloid::clayProperties& matter,
+    const dictionary& properties,
+    const scalar packing
+)
+:
+    mesh_(alpha.mesh()),
+    matter_(matter),
+    alpha_(alpha),
+    phi_(phi),
+    aperture_(apertureRatio),
+    salt_(salt),
+    potential_(properties.subDict("diffusivity"), matter, packing),
+    concentration_(0),
+    diffusing_
+    (
+        IOobject("diffusing", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar("1", dimless, 1)
+    ),
+    skewed_
+    (
+        gMax(mag(mesh_.nonOrthCorrectionVectors())().primitiveField()) > 1e-8
+    ),
+    gravity_
+    (
+        properties.getOrDefault<word>("gravity", "auto", keyType::LITERAL)
+    ),
+    weight_(Zero)
+{
+    colloid::checkChoice
+    (
+        properties, "gravity", gravity_, wordList({"on", "off", "auto"})
+    );
+    makeDiffusing(properties);
+
+    if (!salt_)
+    {
+        concentration_ = matter_.waterAt(mesh_.time().value()).concentration;
+        potential_.setUniform(concentration_);
+
+        const coexistence& phases = potential_.uniform().phases();
+
+        if (phases.kind() == coexistence::state::twoPhases)
+        {
+            Info<< "Attraction wins between the solid fractions "
+                << phases.lower() << " and " << phases.upper()
+                << ": clay there is a gel of " << phases.gel() << nl
+                << "    beside a sol of " << phases.sol()
+                << ", and does not spread between the two" << endl;
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::clayFlux::update(const scalar tolerance)
+{
+    if (salt_)
+    {
+        potential_.setVarying();
+    }
+    else
+    {
+        concentration_ = matter_.waterAt(mesh_.time().value()).concentration;
+        potential_.setUniform(concentration_);
+    }
+
+    if (gravity_ == "auto" || (gravity_ == "on" && !friction_.valid()))
+    {
+        decideGravity(tolerance);
+    }
+}
+
+
+void Foam::clayFlux::evaluate
+(
+    surfaceScalarField& F,
+    fvScalarMatrix* derivatives
+) const
+{
+    F == dimensionedScalar(F.dimensions(), Zero);
+
+    if (derivatives)
+    {
+        derivatives->lower() = 0;
+        derivatives->upper() = 0;
+        derivatives->diag() = 0;
+        forAll(derivatives->internalCoeffs(), patchi)
+        {
+            derivatives->internalCoeffs()[patchi] = 0;
+            derivatives->boundaryCoeffs()[patchi] = 0;
+        }
+    }
+    addAdvection(F, derivatives);
+    addDiffusion(F, derivatives);
+    addSettling(F, derivatives);
+
+    if (derivatives)
+    {
+        derivatives->negSumDiag();
+    }
+}
+
+
+void Foam::clayFlux::holdScheme(const scalar presentShare)
+{
+    overUpwind_ = advected() - upwindAdvected();
+
+    if (presentShare < 1 && lastOverUpwind_.valid())
+    {
+        overUpwind_.ref() =
+            presentShare*overUpwind_() + (1 - presentShare)*lastOverUpwind_();
+    }
+}
+
+
+void Foam::clayFlux::releaseScheme()
+{
+    lastOverUpwind_ = overUpwind_;
+    overUpwind_.clear();
+}
+
+
+Foam::scalarField Foam::clayFlux::outflow(const surfaceScalarField& F)
+{
+    const fvMesh& mesh = F.mesh();
+    scalarField sum(mesh.nCells(), Zero);
+
+    const labelUList& owner = mesh.owner();
+    const labelUList& neighbour = mesh.neighbour();
+    const scalarField& internal = F.primitiveField();
+
+    forAll(internal, facei)
+    {
+        sum[owner[facei]] += internal[facei];
+        sum[neighbour[facei]] -= internal[facei];
+    }
+    forAll(F.boundaryField(), patchi)
+    {
+        const scalarField& patch = F.boundaryField()[patchi];
+        const labelUList& cells = mesh.boundary()[patchi].faceCells();
+
+        forAll(patch, i)
+        {
+            sum[cells[i]] += patch[i];
+        }
+    }
+    return sum;
+}

@@ -1,0 +1,418 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "clayFlux.H"
+#include "fvcGrad.H"
+#include "linear.H"
+#include "surfaceInterpolationScheme.H"
+#include "upwind.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::clayFlux::addDerivatives
+(
+    fvScalarMatrix& matrix,
+    const scalarField& byOwner,
+    const scalarField& byNeighbour
+)
+{
+    // What leaves the owner enters the neighbour; the diagonal follows at last
+    scalarField& lower = matrix.lower();
+    scalarField& upper = matrix.upper();
+
+    forAll(byOwner, facei)
+    {
+        lower[facei] -= byOwner[facei];
+        upper[facei] += byNeighbour[facei];
+    }
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::clayFlux::advected() const
+{
+    ITstream& entry = mesh_.divScheme("div(phi,alpha.clay)");
+    const word Gauss(entry);
+
+    if (Gauss != "Gauss")
+    {
+        FatalIOErrorInFunction(mesh_.schemesDict().subDict("divSchemes"))
+            << "div(phi,alpha.clay) begins with " << Gauss << nl
+            << "Valid: Gauss and an interpolation scheme, such as"
+            << " 'Gauss vanLeer'" << exit(FatalIOError);
+    }
+    const tmp<surfaceInterpolationScheme<scalar>> scheme
+    (
+        surfaceInterpolationScheme<scalar>::New(mesh_, phi_, entry)
+    );
+    return phi_*scheme().interpolate(alpha_);
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::clayFlux::upwindAdvected() const
+{
+    return phi_*upwind<scalar>(mesh_, phi_).interpolate(alpha_);
+}
+
+
+void Foam::clayFlux::addAdvection
+(
+    surfaceScalarField& F,
+    fvScalarMatrix* derivatives
+) const
+{
+    F +=
+        overUpwind_.valid()
+      ? upwindAdvected() + overUpwind_()
+      : advected();
+
+    if (!derivatives)
+    {
+        return;
+    }
+
+    // As upwind, whose matrix has no coefficient of the wrong sign; what limited
+    // schemes add depends on alpha in its own way
+    const scalarField& phi = phi_.primitiveField();
+    addDerivatives
+    (
+        *derivatives,
+        max(phi, scalar(0)),
+        min(phi, scalar(0))
+    );
+    forAll(F.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& patch = alpha_.boundaryField()[patchi];
+        const scalarField& patchPhi = phi_.boundaryField()[patchi];
+
+        if (patch.coupled())
+        {
+            derivatives->internalCoeffs()[patchi] += max(patchPhi, scalar(0));
+            derivatives->boundaryCoeffs()[patchi] -= min(patchPhi, scalar(0));
+        }
+        else
+        {
+            derivatives->internalCoeffs()[patchi] +=
+                patchPhi
+               *patch.valueInternalCoeffs
+                (
+                    mesh_.weights().boundaryField()[patchi]
+                );
+        }
+    }
+}
+
+
+void Foam::clayFlux::evaluate
+(
+    scalarField& potential,
+    scalarField& D,
+    const scalarField& alpha
+) const
+{
+    const diffusionPotential::atConcentration law
+    (
+        potential_.at(concentration_)
+    );
+
+    forAll(alpha, i)
+    {
+        potential[i] = law.value(alpha[i]);
+        D[i] = law.slope(alpha[i]);
+    }
+}
+
+
+void Foam::clayFlux::addDiffusion
+(
+    surfaceScalarField& F,
+    fvScalarMatrix* derivatives
+) const
+{
+    surfaceScalarField J("J", 0*F);
+
+    const surfaceScalarField conductance
+    (
+        linearInterpolate(aperture_)*diffusing_*mesh_.magSf()
+       *mesh_.nonOrthDeltaCoeffs()
+    );
+    const labelUList& owner = mesh_.owner();
+    const labelUList& neighbour = mesh_.neighbour();
+    const scalarField& alpha = alpha_.primitiveField();
+
+    // Potential less that of the other side of a face, and its derivatives
+    const auto difference =
+    [](
+        const diffusionPotential::atConcentration& law,
+        const scalar here,
+        const scalar there
+    )
+    {
+        return law.value(here) - law.value(there);
+    };
+
+    scalarField byOwner(mesh_.nInternalFaces());
+    scalarField byNeighbour(mesh_.nInternalFaces());
+    scalarField D(mesh_.nCells());
+
+    if (salt_)
+    {
+        const surfaceScalarField concentration(linearInterpolate(*salt_));
+
+        forAll(byOwner, facei)
+        {
+            const scalar G = conductance[facei];
+            const label o = owner[facei];
+            const label n = neighbour[facei];
+            const auto law = potential_.at(concentration[facei]);
+
+            J[facei] += G*difference(law, alpha[o], alpha[n]);
+            byOwner[facei] = G*law.slope(alpha[o]);
+            byNeighbour[facei] = -G*law.slope(alpha[n]);
+        }
+        forAll(D, celli)
+        {
+            D[celli] = potential_.at((*salt_)[celli]).slope(alpha[celli]);
+        }
+    }
+    else
+    {
+        scalarField potential(mesh_.nCells());
+        evaluate(potential, D, alpha);
+
+        forAll(byOwner, facei)
+        {
+            const scalar G = conductance[facei];
+            const label o = owner[facei];
+            const label n = neighbour[facei];
+
+            J[facei] += G*(potential[o] - potential[n]);
+            byOwner[facei] = G*D[o];
+            byNeighbour[facei] = -G*D[n];
+        }
+    }
+
+    if (derivatives)
+    {
+        addDerivatives(*derivatives, byOwner, byNeighbour);
+    }
+
+    forAll(J.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& patch = alpha_.boundaryField()[patchi];
+        scalarField& patchJ = J.boundaryFieldRef()[patchi];
+        const scalarField& G = conductance.boundaryField()[patchi];
+        const scalarField inside(patch.patchInternalField());
+
+        if (patch.empty())
+        {
+            continue;
+        }
+
+        const bool coupled = patch.coupled();
+        const scalarField outside
+        (
+            coupled ? patch.patchNeighbourField()() : scalarField(patch)
+        );
+        const scalarField gradient(coupled ? scalarField() : patch.snGrad()());
+        const scalarField gradientInternal
+        (
+            coupled ? scalarField() : patch.gradientInternalCoeffs()()
+        );
+        // Of a processor patch the mean of both sides, elsewhere the boundary's
+        const scalarField concentration
+        (
+            !salt_ ? scalarField()
+          : coupled
+          ? scalarField
+            (
+                mesh_.weights().boundaryField()[patchi]
+               *salt_->boundaryField()[patchi].patchInternalField()
+              + (1 - mesh_.weights().boundaryField()[patchi])
+               *salt_->boundaryField()[patchi].patchNeighbourField()
+            )
+          : scalarField(salt_->boundaryField()[patchi])
+        );
+
+        forAll(patchJ, i)
+        {
+            const auto law = potential_.at
+            (
+                salt_ ? concentration[i] : concentration_
+            );
+
+            if (coupled)
+            {
+                patchJ[i] += G[i]*difference(law, inside[i], outside[i]);
+                if (derivatives)
+                {
+                    derivatives->internalCoeffs()[patchi][i] +=
+                        G[i]*law.slope(inside[i]);
+                    derivatives->boundaryCoeffs()[patchi][i] +=
+                        G[i]*law.slope(outside[i]);
+                }
+                continue;
+            }
+
+            // The mean of D from the cell to the boundary, with the gradient
+            // that the boundary condition has there
+            const scalar step = outside[i] - inside[i];
+            const scalar mean =
+                mag(step) > 1e-12
+              ? -difference(law, inside[i], outside[i])/step
+              : law.slope(inside[i]);
+            const scalar area =
+                G[i]/mesh_.nonOrthDeltaCoeffs().boundaryField()[patchi][i];
+
+            patchJ[i] -= area*mean*gradient[i];
+
+            if (derivatives)
+            {
+                derivatives->internalCoeffs()[patchi][i] -=
+                    area*gradientInternal[i]
+                   *(patch.fixesValue() ? law.slope(inside[i]) : mean);
+            }
+        }
+    }
+
+    if (skewed_)
+    {
+        addSkewness(J, D);
+    }
+    F += J;
+}
+
+
+void Foam::clayFlux::addSkewness
+(
+    surfaceScalarField& J,
+    const scalarField& D
+) const
+{
+    volVectorField gradient(fvc::grad(alpha_));
+    gradient.primitiveFieldRef() *= D;
+    gradient.correctBoundaryConditions();
+
+    const surfaceScalarField correction
+    (
+        linearInterpolate(aperture_)*diffusing_*mesh_.magSf()
+       *(mesh_.nonOrthCorrectionVectors() & linearInterpolate(gradient))
+    );
+
+    // At most as large as the rest, as OpenFOAM's limited 0.5
+    const auto limited = [](const scalar c, const scalar straight)
+    {
+        return sign(c)*min(mag(c), mag(straight));
+    };
+
+    forAll(J, facei)
+    {
+        J[facei] -= limited(correction[facei], J[facei]);
+    }
+    forAll(J.boundaryField(), patchi)
+    {
+        if (alpha_.boundaryField()[patchi].coupled())
+        {
+            scalarField& patchJ = J.boundaryFieldRef()[patchi];
+            const scalarField& c = correction.boundaryField()[patchi];
+
+            forAll(patchJ, i)
+            {
+                patchJ[i] -= limited(c[i], patchJ[i]);
+            }
+        }
+    }
+}
+
+
+void Foam::clayFlux::addSettling
+(
+    surfaceScalarField& F,
+    fvScalarMatrix* derivatives
+) const
+{
+    if (weight_ == vector(Zero))
+    {
+        return;
+    }
+
+    // By the cell from which it sinks
+    const surfaceScalarField drive
+    (
+        linearInterpolate(aperture_)
+       *(mesh_.Sf() & dimensionedVector("weight", dimless, weight_))
+    );
+    const scalarField& alpha = alpha_.primitiveField();
+    const labelUList& owner = mesh_.owner();
+    const labelUList& neighbour = mesh_.neighbour();
+
+    scalarField byOwner(mesh_.nInternalFaces(), Zero);
+    scalarField byNeighbour(mesh_.nInternalFaces(), Zero);
+
+    forAll(byOwner, facei)
+    {
+        const bool fromOwner = drive[facei] > 0;
+        const scalar a = alpha[fromOwner ? owner[facei] : neighbour[facei]];
+        const scalar velocity = drive[facei]/friction_->value(max(a, scalar(0)));
+
+        F[facei] += velocity*a;
+        (fromOwner ? byOwner : byNeighbour)[facei] = velocity;
+    }
+    if (derivatives)
+    {
+        addDerivatives(*derivatives, byOwner, byNeighbour);
+    }
+
+    forAll(F.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& patch = alpha_.boundaryField()[patchi];
+
+        if (!settlesThrough(patchi) || patch.empty())
+        {
+            continue;
+        }
+        const scalarField inside(patch.patchInternalField());
+        const scalarField outside
+        (
+            patch.coupled() ? patch.patchNeighbourField()() : scalarField(patch)
+        );
+        scalarField& patchF = F.boundaryFieldRef()[patchi];
+        const scalarField valueInternal
+        (
+            patch.coupled()
+          ? scalarField()
+          : patch.valueInternalCoeffs
+            (
+                mesh_.weights().boundaryField()[patchi]
+            )()
+        );
+
+        forAll(patchF, i)
+        {
+            const scalar d = drive.boundaryField()[patchi][i];
+            const scalar a = d > 0 ? inside[i] : outside[i];
+            const scalar velocity = d/friction_->value(max(a, scalar(0)));
+
+            patchF[i] += velocity*a;
+
+            if (!derivatives)
+            {
+                continue;
+            }
+            if (d > 0)
+            {
+                derivatives->internalCoeffs()[patchi][i] += velocity;
+            }
+            else if (patch.coupled())
+            {
+                derivatives->boundaryCoeffs()[patchi][i] -= velocity;
+            }
+            else
+            {
+                derivatives->internalCoeffs()[patchi][i] +=
+                    velocity*valueInternal[i];
+            }
+        }
+    }
+}
