@@ -119,7 +119,8 @@ Foam::scalar Foam::clayTransport::errorOf
     reduce(sum, sumOp<scalar>());
     reduce(volume, sumOp<scalar>());
 
-    return sqrt(sum/max(volume, VSMALL));
+    // Where next to nothing is left, as if it were one cell
+    return sqrt(sum/max(volume, gMax(V)));
 }
 
 
