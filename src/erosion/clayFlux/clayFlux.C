@@ -5,6 +5,7 @@
 
 #include "clayFlux.H"
 #include "checkWords.H"
+#include "syncTools.H"
 #include "uniformDimensionedFields.H"
 #include "wallFvPatch.H"
 
@@ -225,6 +226,43 @@ void Foam::clayFlux::holdScheme(const scalar presentShare)
     {
         overUpwind_.ref() =
             presentShare*overUpwind_() + (1 - presentShare)*lastOverUpwind_();
+    }
+}
+
+
+void Foam::clayFlux::holdUpwind(const boolList& cells)
+{
+    surfaceScalarField& held = overUpwind_.ref();
+
+    forAll(mesh_.owner(), facei)
+    {
+        if (cells[mesh_.owner()[facei]] || cells[mesh_.neighbour()[facei]])
+        {
+            held[facei] = 0;
+        }
+    }
+
+    boolList ofNeighbours;
+    syncTools::swapBoundaryCellList(mesh_, cells, ofNeighbours);
+
+    forAll(held.boundaryField(), patchi)
+    {
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        scalarField& patchHeld = held.boundaryFieldRef()[patchi];
+
+        forAll(patchHeld, i)
+        {
+            const label there = patch.start() + i - mesh_.nInternalFaces();
+
+            if
+            (
+                cells[patch.faceCells()[i]]
+             || (patch.coupled() && ofNeighbours[there])
+            )
+            {
+                patchHeld[i] = 0;
+            }
+        }
     }
 }
 

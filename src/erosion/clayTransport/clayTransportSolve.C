@@ -209,26 +209,56 @@ bool Foam::clayTransport::step
     scalarField& alpha = alpha_.primitiveFieldRef();
     scalarField missing;
 
+    const scalarField content(aperture_.primitiveField()*mesh_.V()/deltaT);
+
     // What limited schemes add to upwind is held while Newton's method works,
     // and brought up to date after it
-    bool solved = true;
-    for (label i = 0; solved && i < nSchemeUpdates; ++i)
-    {
-        flux_.holdScheme(1);
-        solved = iterateNewton(old, deltaT, F, missing);
-        flux_.releaseScheme();
-    }
-    if (!solved)
-    {
-        return false;
-    }
+    flux_.holdScheme(1);
 
-    // That of the fluxes: conservative whatever the residual
-    alpha += missing*deltaT/(aperture_.primitiveField()*mesh_.V());
-    alpha_.correctBoundaryConditions();
+    for (label i = 1; ; ++i)
+    {
+        if (!iterateNewton(old, deltaT, F, missing))
+        {
+            flux_.releaseScheme();
+            return false;
+        }
 
-    return
-        gMin(alpha) > -10*residual_ && gMax(alpha) < packing_ + 10*residual_;
+        // That of the fluxes: conservative whatever the residual
+        alpha += missing/content;
+        alpha_.correctBoundaryConditions();
+
+        if (i < nSchemeUpdates)
+        {
+            flux_.releaseScheme();
+            flux_.holdScheme(1);
+            continue;
+        }
+
+        // Upwind where the scheme has left the bounds, which it may in steps in
+        // which the water crosses several cells
+        boolList outside(alpha.size(), false);
+        bool bounded = true;
+        forAll(alpha, celli)
+        {
+            if
+            (
+                alpha[celli] < -10*residual_
+             || alpha[celli] > packing_ + 10*residual_
+            )
+            {
+                outside[celli] = true;
+                bounded = false;
+            }
+        }
+        reduce(bounded, andOp<bool>());
+
+        if (bounded || i == 2*nSchemeUpdates)
+        {
+            flux_.releaseScheme();
+            return bounded;
+        }
+        flux_.holdUpwind(outside);
+    }
 }
 
 

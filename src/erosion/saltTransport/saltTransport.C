@@ -93,15 +93,19 @@ void Foam::saltTransport::solve
         linearInterpolate(apertureRatio)
        *dimensionedScalar("D", dimViscosity, diffusivity_)
     );
-    fvScalarMatrix equation
-    (
-        fvm::ddt(apertureRatio, *c_)
-      + fvm::div(phi, *c_, "div(phi,c)")
-      - fvm::laplacian(D, *c_, "laplacian(D,c)")
-    );
-
     const int logged = SolverPerformance<scalar>::debug;
     SolverPerformance<scalar>::debug = 0;
-    equation.solve();
+
+    // Limited schemes are of the c before: again, until that is the new one
+    for (label corrector = 0; corrector < 3; ++corrector)
+    {
+        fvScalarMatrix equation
+        (
+            fvm::ddt(apertureRatio, *c_)
+          + fvm::div(phi, *c_, "div(phi,c)")
+          - fvm::laplacian(D, *c_, "laplacian(D,c)")
+        );
+        equation.solve();
+    }
     SolverPerformance<scalar>::debug = logged;
 }
