@@ -5,7 +5,7 @@ fraction with streamlines of the water over it.
 
 usage: etc/plots/pvrun pvpython etc/plots/fracturePicture.py CASE OUT.png
            [--time T] [--box X0 X1 Y0 Y1] [--log LEAST] [--lines N]
-           [--under FIELD TITLE]
+           [--under FIELD TITLE] [--mirror]
 
     --time   another time than the last [s]
     --box    what is drawn [m], instead of all of the mesh
@@ -13,6 +13,7 @@ usage: etc/plots/pvrun pvpython etc/plots/fracturePicture.py CASE OUT.png
     --lines  number of streamlines (30); they start evenly along the side that
              the water comes from
     --under  another field instead of alpha.clay, with its title
+    --mirror the mesh is one half, above a plane of symmetry
 """
 import argparse
 import math
@@ -30,6 +31,7 @@ parser.add_argument('--box', type=float, nargs=4)
 parser.add_argument('--log', type=float)
 parser.add_argument('--lines', type=int, default=30)
 parser.add_argument('--under', nargs=2, default=['alpha.clay', 'solid fraction alpha.clay [-]'])
+parser.add_argument('--mirror', action='store_true')
 asked = parser.parse_args()
 name, title = asked.under
 
@@ -49,7 +51,9 @@ if not any(math.isclose(time, known, rel_tol=1e-6) for known in times):
 reader.UpdatePipeline(time)
 
 bounds = reader.GetDataInformation().GetBounds()
-box = asked.box or bounds[:4]
+box = list(asked.box or bounds[:4])
+if asked.mirror and not asked.box:
+    box[2] -= box[3] - box[2]
 size = max(box[1] - box[0], box[3] - box[2])
 unit, scale = ('µm', 1e6) if size < 1e-3 else ('mm', 1e3) if size < 1 else ('m', 1)
 x0, x1, y0, y1 = (scale*b for b in box)
@@ -63,7 +67,12 @@ block.Selectors = ['//internalMesh']
 mesh = Transform(Input=block)
 mesh.Transform.Scale = [scale]*3
 mesh.TransformAllInputVectors = 1        # velocities are scaled too
-plane = Slice(Input=mesh)
+if asked.mirror:
+    mesh = Reflect(Input=mesh)
+    mesh.Plane = 'Y Min'
+    mesh.FlipAllInputArrays = 0
+whole = MergeBlocks(Input=mesh)
+plane = Slice(Input=whole)
 plane.SliceType.Origin, plane.SliceType.Normal = middle, [0, 0, 1]
 plane.Triangulatetheslice = 0
 drawn = plane

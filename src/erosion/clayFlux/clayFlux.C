@@ -220,7 +220,8 @@ void Foam::clayFlux::evaluate
 
 void Foam::clayFlux::holdScheme(const scalar presentShare)
 {
-    overUpwind_ = advected() - upwindAdvected();
+    const tmp<volScalarField> a(carried());
+    overUpwind_ = advected(a()) - upwindAdvected(a());
 
     if (presentShare < 1 && lastOverUpwind_.valid())
     {

@@ -30,7 +30,54 @@ void Foam::clayFlux::addDerivatives
 }
 
 
-Foam::tmp<Foam::surfaceScalarField> Foam::clayFlux::advected() const
+Foam::tmp<Foam::volScalarField> Foam::clayFlux::carried() const
+{
+    if
+    (
+        !salt_
+     && potential_.uniform().phases().kind() != coexistence::state::twoPhases
+    )
+    {
+        return tmp<volScalarField>(alpha_);
+    }
+
+    const IOobject io
+    (
+        "carried",
+        mesh_.time().timeName(),
+        mesh_,
+        IOobject::NO_READ,
+        IOobject::NO_WRITE,
+        false
+    );
+    tmp<volScalarField> ta(new volScalarField(io, alpha_));
+    volScalarField& a = ta.ref();
+
+    const auto limit = [&](scalarField& part, const scalarField* c)
+    {
+        forAll(part, i)
+        {
+            part[i] =
+                potential_.at(c ? (*c)[i] : concentration_).carried(part[i]);
+        }
+    };
+    limit(a.primitiveFieldRef(), salt_ ? &salt_->primitiveField() : nullptr);
+    forAll(a.boundaryField(), patchi)
+    {
+        limit
+        (
+            a.boundaryFieldRef()[patchi],
+            salt_ ? &salt_->boundaryField()[patchi] : nullptr
+        );
+    }
+    return ta;
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::clayFlux::advected
+(
+    const volScalarField& a
+) const
 {
     ITstream& entry = mesh_.divScheme("div(phi,alpha.clay)");
     const word Gauss(entry);
@@ -46,13 +93,16 @@ Foam::tmp<Foam::surfaceScalarField> Foam::clayFlux::advected() const
     (
         surfaceInterpolationScheme<scalar>::New(mesh_, phi_, entry)
     );
-    return phi_*scheme().interpolate(alpha_);
+    return phi_*scheme().interpolate(a);
 }
 
 
-Foam::tmp<Foam::surfaceScalarField> Foam::clayFlux::upwindAdvected() const
+Foam::tmp<Foam::surfaceScalarField> Foam::clayFlux::upwindAdvected
+(
+    const volScalarField& a
+) const
 {
-    return phi_*upwind<scalar>(mesh_, phi_).interpolate(alpha_);
+    return phi_*upwind<scalar>(mesh_, phi_).interpolate(a);
 }
 
 
@@ -62,10 +112,13 @@ void Foam::clayFlux::addAdvection
     fvScalarMatrix* derivatives
 ) const
 {
+    const tmp<volScalarField> ta(carried());
+    const volScalarField& a = ta();
+
     F +=
         overUpwind_.valid()
-      ? upwindAdvected() + overUpwind_()
-      : advected();
+      ? upwindAdvected(a) + overUpwind_()
+      : advected(a);
 
     if (!derivatives)
     {
@@ -75,26 +128,47 @@ void Foam::clayFlux::addAdvection
     // As upwind, whose matrix has no coefficient of the wrong sign; what limited
     // schemes add depends on alpha in its own way
     const scalarField& phi = phi_.primitiveField();
-    addDerivatives
-    (
-        *derivatives,
-        max(phi, scalar(0)),
-        min(phi, scalar(0))
-    );
+
+    // 1, 0 where there is a gel that coheres
+    const auto slopeOf = [](const scalarField& part, const scalarField& all)
+    {
+        return scalarField(pos(part - all + 1e-9*mag(all) + VSMALL));
+    };
+    const scalarField slope(slopeOf(a.primitiveField(), alpha_.primitiveField()));
+    scalarField byOwner(max(phi, scalar(0)));
+    scalarField byNeighbour(min(phi, scalar(0)));
+
+    forAll(phi, facei)
+    {
+        byOwner[facei] *= slope[mesh_.owner()[facei]];
+        byNeighbour[facei] *= slope[mesh_.neighbour()[facei]];
+    }
+    addDerivatives(*derivatives, byOwner, byNeighbour);
     forAll(F.boundaryField(), patchi)
     {
         const fvPatchScalarField& patch = alpha_.boundaryField()[patchi];
         const scalarField& patchPhi = phi_.boundaryField()[patchi];
+        const scalarField patchSlope(slope, mesh_.boundary()[patchi].faceCells());
 
         if (patch.coupled())
         {
-            derivatives->internalCoeffs()[patchi] += max(patchPhi, scalar(0));
-            derivatives->boundaryCoeffs()[patchi] -= min(patchPhi, scalar(0));
+            const scalarField otherSlope
+            (
+                slopeOf
+                (
+                    a.boundaryField()[patchi].patchNeighbourField()(),
+                    patch.patchNeighbourField()()
+                )
+            );
+            derivatives->internalCoeffs()[patchi] +=
+                patchSlope*max(patchPhi, scalar(0));
+            derivatives->boundaryCoeffs()[patchi] -=
+                otherSlope*min(patchPhi, scalar(0));
         }
         else
         {
             derivatives->internalCoeffs()[patchi] +=
-                patchPhi
+                patchSlope*patchPhi
                *patch.valueInternalCoeffs
                 (
                     mesh_.weights().boundaryField()[patchi]
