@@ -266,16 +266,31 @@ void Foam::clayTransport::refuseAfter
 (
     const label most,
     const label nTries,
-    const scalar deltaT
+    const scalar deltaT,
+    const bool solved,
+    const scalar error
 ) const
 {
     if (nTries >= most)
     {
+        // Collective
+        const scalar least = gMin(alpha_.primitiveField());
+        const scalar largest = gMax(alpha_.primitiveField());
+
         FatalErrorInFunction
             << "No step from " << mesh_.time().timeName() << " s is small"
-            << " enough: the last try was " << deltaT << " s" << nl
+            << " enough: the last try was " << deltaT << " s, "
+            << (solved ? "solved with an estimated error of " : "not solved");
+        if (solved)
+        {
+            FatalError << error;
+        }
+        FatalError << nl
+            << "    Before it " << alpha_.name() << " was from " << least << " to "
+            << largest << nl
             << "    Residual " << residual_ << ", at most " << maxIterations_
-            << " iterations (fvSolution, erosion)" << exit(FatalError);
+            << " iterations, tolerance " << tolerance_
+            << " (fvSolution, erosion)" << exit(FatalError);
     }
 }
 
@@ -337,7 +352,7 @@ void Foam::clayTransport::advance(const scalar deltaT)
             alpha_.correctBoundaryConditions();
             part *= solved ? min(max(growth, scalar(0.1)), scalar(0.7)) : 0.25;
 
-            refuseAfter(40, ++nTries, part);
+            refuseAfter(40, ++nTries, part, solved, error);
             continue;
         }
 
@@ -396,7 +411,7 @@ Foam::scalar Foam::clayTransport::iterate()
             flux_.releaseScheme();
             return residual;
         }
-        refuseAfter(40, nTries, nextDeltaT_.value());
+        refuseAfter(40, nTries, nextDeltaT_.value(), solved, error);
         ++(solved ? nRepeated_ : nFailed_);
 
         alpha_.primitiveFieldRef() = old;

@@ -1,6 +1,6 @@
 # bentoFoam, GPL-3.0-or-later
 # Erosion or none, from erosion.dat: concentration [mol/m3], velocity [m/s], mean
-# rate of the first 240 h [mg/h], share that is eroded at the end, plug [g];
+# rate [mg/h], share that is eroded at the end, plug [g];
 # with what has been measured, data/*.dat, as data/README.md has it
 set encoding utf8
 set terminal pngcairo size 1400, 600 font "sans,13"
@@ -11,7 +11,7 @@ rest = 1e-8                   # where water at rest is drawn [m/s]
 place(u) = u > 0 ? u : rest
 CCC = 76.24                   # [mol/m3], of the default platelet
 
-set multiplot layout 1, 2 margins 0.06, 0.98, 0.115, 0.93 spacing 0.12, 0.1
+set multiplot layout 1, 2 margins 0.06, 0.985, 0.115, 0.93 spacing 0.17, 0.1
 set grid lt 1 lw 1 lc rgb "#e4e4e4"
 set logscale x
 set format x "10^{%T}"
@@ -25,27 +25,25 @@ set ylabel "concentration of the cation [mol/m^3]"
 set yrange [0.03:2000]
 set palette defined (0 "#deebf7", 0.25 "#9ecae1", 0.5 "#fdae6b", 0.75 "#d94801", 1 "#7f2704")
 set cbrange [0:1]
-set cblabel "share [-]" offset 1
+set cblabel "share of the plug [-]"
 set arrow 1 from 4e-9, CCC to 4e-5, CCC nohead dt 2 lw 1.5 lc rgb "#555555"
-set label 1 "CCC" at 5e-9, CCC*1.25 textcolor rgb "#555555"
-set key outside bottom center horizontal maxrows 1 samplen 1
+set label 1 "CCC" at 3.8e-5, CCC*1.3 right textcolor rgb "#555555"
 unset key
 plot "erosion.dat" using (place($2)):($4 > 0.001 ? $1 : NaN):4 with points pt 7 ps 5 palette notitle, \
     "" using (place($2)):($4 > 0.001 ? NaN : $1) with points pt 6 ps 5 lw 2 lc rgb "#777777" notitle, \
-    "" using (place($2)):1:($4 > 0.001 ? sprintf("%.0f %%", 100*$4) : "none") with labels offset 0, -2 font ",11" notitle
+    "" using (place($2)):1:($4 > 0.001 ? sprintf($4 > 0.1 ? "%.0f %%" : "%.1f %%", 100*$4) : "none") with labels offset 0, -2 font ",11" notitle
 
 unset arrow 1
 unset label 1
-set title "mean rate of the first 240 h"
+set title "mean rate of the time until 720 h"
 set ylabel "erosion [mg/h]"
 set yrange [1e-3:10]
 set format y "10^{%T}"
-set key inside top left samplen 2 spacing 1.15 title "mol/m^3"
+set key inside top left vertical maxrows 5 samplen 2 spacing 1.15 title "mol/m^3" left
 c = "0.1 1 10 100 500"
 shade(k) = word("#08306b #2171b5 #6baed6 #fd8d3c #a63603", k)
-array drawn[1] = [0]
 plot for [k = 1:words(c)] "erosion.dat" using ($1 == word(c, k) + 0 && $3 > 1e-3 ? place($2) : NaN):3 \
         with linespoints pt 7 ps 1.3 lw 2 lc rgb shade(k) title word(c, k), \
-    for [file in measured] file using 1:3:4 with yerrorbars pt 5 ps 1.2 lw 2 lc rgb "black" \
-        title system("sed -n 's/^# *source: *//p' ".file)
+    for [k = 1:words(measured)] word(measured, k) using 1:3:4 with yerrorbars pt 5 ps 1.2 lw 2 lc rgb "black" \
+        title system("sed -n 's/^# *source: *//p' ".word(measured, k))
 unset multiplot
