@@ -11,12 +11,12 @@
 
 #include <algorithm>
 
-Foam::label Foam::layeredColumns::patchID() const
+Foam::labelHashSet Foam::layeredColumns::findPatches() const
 {
     const polyBoundaryMesh& patches = mesh_.boundaryMesh();
-    const label patchi = patches.findPatchID(patchName_);
+    const labelHashSet found(patches.patchSet(List<wordRe>(1, patchName_)));
 
-    if (patchi < 0)
+    if (found.empty())
     {
         const wordList names(patches.names());
 
@@ -27,7 +27,7 @@ Foam::label Foam::layeredColumns::patchID() const
             << exit(FatalIOError);
     }
 
-    return patchi;
+    return found;
 }
 
 
@@ -127,9 +127,13 @@ bool Foam::layeredColumns::walk
 
 void Foam::layeredColumns::build()
 {
-    const polyPatch& patch = mesh_.boundaryMesh()[patchID()];
+    labelList firstFaces;
+    for (const label patchi : patches_.sortedToc())
+    {
+        const polyPatch& patch = mesh_.boundaryMesh()[patchi];
+        firstFaces.append(identity(patch.size(), patch.start()));
+    }
 
-    labelList firstFaces(identity(patch.size(), patch.start()));
     boolList crossed(mesh_.nCells(), false);
     labelHashSet lastPatches;
     bool layered = true;
@@ -199,7 +203,7 @@ void Foam::layeredColumns::checkLastPatches
         if
         (
             returnReduce(lastPatches.found(patchi), orOp<bool>())
-         && (pp.type() != polyPatch::typeName || pp.name() == patchName_)
+         && (pp.type() != polyPatch::typeName || patches_.found(patchi))
         )
         {
             FatalIOErrorInFunction(context_)
@@ -217,13 +221,14 @@ void Foam::layeredColumns::checkLastPatches
 Foam::layeredColumns::layeredColumns
 (
     const fvMesh& mesh,
-    const word& patchName,
+    const wordRe& patchName,
     const dictionary& context
 )
 :
     mesh_(mesh),
     patchName_(patchName),
     context_(context),
+    patches_(findPatches()),
     cells_(mesh.nCells()),
     outerFaces_(mesh.nCells()),
     waves_()
@@ -245,7 +250,7 @@ void Foam::layeredColumns::completeFlux(surfaceScalarField& phi) const
     {
         const fvsPatchScalarField& values = phi.boundaryField()[patchi];
 
-        if (patches[patchi].name() != patchName_)
+        if (!patches_.found(patchi))
         {
             SubField<scalar>(flux, values.size(), patches[patchi].start()) =
                 values;

@@ -63,12 +63,14 @@ void Foam::fractureFlows::localViscosityFlow::checkAlongGel
     }
     checked_ = u0;
 
-    const label patchi =
-        mesh().boundaryMesh().findPatchID(coeffs().get<word>("gelPatch"));
-    const vectorField& areas = mesh().Sf().boundaryField()[patchi];
-
-    const scalar across = gSum(mag(u0 & areas));
-    const scalar all = mag(u0)*gSum(mag(areas));
+    scalar across = 0;
+    scalar all = 0;
+    for (const label patchi : columns_->patches().sortedToc())
+    {
+        const vectorField& areas = mesh().Sf().boundaryField()[patchi];
+        across += gSum(mag(u0 & areas));
+        all += mag(u0)*gSum(mag(areas));
+    }
 
     // That is dropped. A slightly bent gel can do without it
     if (across > 0.5*all)
@@ -149,7 +151,7 @@ Foam::fractureFlows::localViscosityFlow::localViscosityFlow
             new layeredColumns
             (
                 mesh,
-                coeffs.get<word>("gelPatch"),
+                coeffs.get<wordRe>("gelPatch"),
                 this->coeffs()
             )
         );
