@@ -32,7 +32,8 @@ void addTriangle
     const vector& into,
     const label patch,
     const patchLayer::action does,
-    const scalar lengthUnit
+    const scalar lengthUnit,
+    const bool opaque = true
 )
 {
     const bool turn = (((c[1] - c[0])^(c[2] - c[0])) & into) < 0;
@@ -44,7 +45,8 @@ void addTriangle
             reduced(c[turn ? 1 : 2], lengthUnit)
         },
         does,
-        int(patch)
+        int(patch),
+        opaque
     });
 }
 
@@ -191,11 +193,13 @@ void Foam::patchLayer::addRoughBack
             const point d(corner(i, j + 1));
             addTriangle
             (
-                limits, {a, b, c}, inward_, patch_, action::platelet, lengthUnit
+                limits,
+                {a, b, c}, inward_, patch_, action::platelet, lengthUnit, false
             );
             addTriangle
             (
-                limits, {a, c, d}, inward_, patch_, action::platelet, lengthUnit
+                limits,
+                {a, c, d}, inward_, patch_, action::platelet, lengthUnit, false
             );
         }
     }

@@ -6,6 +6,9 @@
 
 #include "lineOfSight.H"
 
+#include <algorithm>
+#include <cmath>
+
 namespace plateletDynamics
 {
 
@@ -14,7 +17,9 @@ namespace
 
 bool isRock(const wallRegions::region& region)
 {
-    return region.does != boundarySurface::action::absorb;
+    return
+        region.opaque
+     && region.does != boundarySurface::action::absorb;
 }
 
 } // End namespace
@@ -29,7 +34,8 @@ lineOfSight::lineOfSight
 :
     walls_(walls),
     points_(points),
-    inFront_(points.size(), 1)
+    inFront_(points.size(), 1),
+    clearance_(points.size(), 0)
 {
     if
     (
@@ -44,6 +50,44 @@ lineOfSight::lineOfSight
         inFront_[k] = isInFront(points.position[k], range);
         allInFront_ = allInFront_ && inFront_[k];
     }
+    for (std::size_t k = 0; !allInFront_ && k < points.size(); ++k)
+    {
+        clearance_[k] = clearance(points.position[k], range);
+    }
+}
+
+
+double lineOfSight::clearance(const vector& x, double range) const
+{
+    double nearest = range*range;
+
+    walls_.tree().near
+    (
+        x,
+        nearest,
+        [&](int regioni)
+        {
+            const wallRegions::region& region = walls_.regions()[regioni];
+            if (!isRock(region))
+            {
+                return;
+            }
+            region.tree.near
+            (
+                x,
+                nearest,
+                [&](int item)
+                {
+                    const vector foot
+                    (
+                        walls_.nearest(region.begin + item, x).point
+                    );
+                    nearest = std::min(nearest, (foot - x).squaredNorm());
+                }
+            );
+        }
+    );
+    return std::sqrt(nearest);
 }
 
 
@@ -113,6 +157,14 @@ bool lineOfSight::interrupted(int i, int j) const
 
     const vector& x = points_.position[i];
     const vector& y = points_.position[j];
+
+    // Each point of the line is nearer to an end than any wall is
+    const double clear = clearance_[i] + clearance_[j];
+    if ((y - x).squaredNorm() < 0.999*clear*clear)
+    {
+        return false;
+    }
+
     bool found = false;
 
     bounds line;

@@ -24,7 +24,8 @@ wallRegions::triangle::triangle
         from.corners[2] + shift
     }),
     does(from.does),
-    patch(from.patch)
+    patch(from.patch),
+    opaque(from.opaque)
 {}
 
 
@@ -121,6 +122,7 @@ void wallRegions::collect()
         std::vector<bounds> triangleBounds;
         region made;
         made.does = triangles_[begin].does;
+        made.opaque = triangles_[begin].opaque;
         made.begin = int(begin);
         made.planar = true;
 

@@ -178,6 +178,7 @@ void wallRegions::connect(double featureAngle)
     {
         return
             triangles_[a].does == triangles_[b].does
+         && triangles_[a].opaque == triangles_[b].opaque
          && triangles_[a].normal.dot(triangles_[b].normal) > smooth;
     };
 
