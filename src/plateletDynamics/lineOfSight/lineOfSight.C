@@ -50,9 +50,12 @@ lineOfSight::lineOfSight
         inFront_[k] = isInFront(points.position[k], range);
         allInFront_ = allInFront_ && inFront_[k];
     }
-    for (std::size_t k = 0; !allInFront_ && k < points.size(); ++k)
+    for (std::size_t k = 0; k < points.size(); ++k)
     {
-        clearance_[k] = clearance(points.position[k], range);
+        if (!inFront_[k])
+        {
+            clearance_[k] = clearance(points.position[k], range);
+        }
     }
 }
 
