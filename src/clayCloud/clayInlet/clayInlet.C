@@ -95,6 +95,7 @@ Foam::clayInlet::clayInlet
         where.properties,
         dict
     ),
+    pieces_(layer_, shape.piece*spacing_),
     random_(where.properties.seed())
 {
     checkFraction();
@@ -237,34 +238,55 @@ Foam::scalar Foam::clayInlet::interval(const scalar time) const
 }
 
 
-Foam::clayInlet::counts Foam::clayInlet::count(const neighbours& near) const
+Foam::List<Foam::clayInlet::counts> Foam::clayInlet::count
+(
+    const neighbours& near
+) const
 {
-    counts sum;
+    List<counts> sums(pieces_.size());
     for (const point& x : near.x)
     {
         // Not what is before other patches of the plane, or in other layers
-        if (!layer_.covers(x))
+        const label piece = pieces_.of(x);
+        if (piece < 0)
         {
             continue;
         }
+        counts& sum = sums[piece];
         const scalar depth = layer_.depth(x);
         sum.inLayer += depth > 0;
         sum.before += depth <= 0 && depth > -reach();
         sum.atPatch += max(scalar(0), 1 - mag(depth)/(2*spacing_));
     }
-    return sum;
+    return sums;
+}
+
+
+Foam::clayInlet::counts Foam::clayInlet::sum(const UList<counts>& pieces)
+{
+    counts all;
+    for (const counts& piece : pieces)
+    {
+        all.inLayer += piece.inLayer;
+        all.before += piece.before;
+        all.atPatch += piece.atPatch;
+    }
+    return all;
 }
 
 
 Foam::patchLayer::place Foam::clayInlet::tryPlace
 (
+    const label piece,
     const FixedList<scalar, 4>& random,
     const scalar
 ) const
 {
     return layer_.at
     (
-        {random[0], random[1], random[2]}, random[3]*shape_.filled*spacing_
+        {random[0], random[1], random[2]},
+        random[3]*shape_.filled*spacing_,
+        pieces_.weightUpTo(piece)
     );
 }
 
@@ -313,6 +335,7 @@ Foam::scalar Foam::clayInlet::netForce
 
 bool Foam::clayInlet::findPlace
 (
+    const label piece,
     const placedPoints& placed,
     const plateletDynamics::gapForce& law,
     const scalar deltaT,
@@ -322,7 +345,7 @@ bool Foam::clayInlet::findPlace
     scalar largest = -1;
     for (label i = 0; i < tries; ++i)
     {
-        const patchLayer::place tried(tryPlace(draw(), deltaT));
+        const patchLayer::place tried(tryPlace(piece, draw(), deltaT));
         scalar hole = placed.nearest(tried.x, largest);
         layer_.forWalls
         (
@@ -347,6 +370,63 @@ bool Foam::clayInlet::findPlace
 }
 
 
+Foam::label Foam::clayInlet::putIn
+(
+    const label piece,
+    const label number,
+    placedPoints& placed,
+    const plateletDynamics::gapForce& law,
+    const scalar deltaT,
+    change& next
+)
+{
+    for (label i = 0; i < number; ++i)
+    {
+        patchLayer::place found;
+        if (!findPlace(piece, placed, law, deltaT, found))
+        {
+            ++waited_;
+            noRoom(number - i);
+            return i;
+        }
+        placed.add(found.x);
+        next.enter.append(found);
+    }
+    return number;
+}
+
+
+Foam::label Foam::clayInlet::takeOut
+(
+    const label piece,
+    const label number,
+    const neighbours& near,
+    change& next
+)
+{
+    DynamicList<label> inLayer;
+    forAll(near.x, i)
+    {
+        if (layer_.depth(near.x[i]) > 0 && pieces_.of(near.x[i]) == piece)
+        {
+            inLayer.append(near.id[i]);
+        }
+    }
+    // Any of them, whatever rank told of it first
+    Foam::sort(inLayer);
+
+    const label out = min(number, inLayer.size());
+    for (label i = 0; i < out; ++i)
+    {
+        const label which =
+            min(label(draw()[0]*inLayer.size()), inLayer.size() - 1);
+        next.leave.append(inLayer[which]);
+        inLayer.remove(which);
+    }
+    return out;
+}
+
+
 Foam::clayInlet::change Foam::clayInlet::supply
 (
     const neighbours& near,
@@ -354,68 +434,59 @@ Foam::clayInlet::change Foam::clayInlet::supply
     const scalar deltaT
 )
 {
-    const counts now(count(near));
+    const List<counts> now(count(near));
     change next;
+    bool full = false;
+    scalar due = 0;
 
-    // At a start all at once
-    scalar number = numberIn(shape_.filled) - now.inLayer;
+    placedPoints placed(scene_.axes, reach());
+    for (const point& x : near.x)
+    {
+        placed.add(x);
+    }
+    const auto law = scene_.interactions.force(time);
+
+    forAll(now, piece)
+    {
+        label number;
+        if (started_)
+        {
+            // Rounded up as often as down, so that the mean is kept
+            number = label
+            (
+                std::floor(wanted(piece, now[piece], deltaT) + draw()[0])
+            );
+        }
+        else
+        {
+            // All at once; what rounding leaves over, in the next piece
+            due +=
+                numberIn(shape_.filled)*pieces_.share(piece)
+              - now[piece].inLayer;
+            number = label(std::floor(due + 1e-9));
+            due -= number;
+        }
+        label inLayer = now[piece].inLayer;
+
+        if (number >= 1)
+        {
+            const label entered =
+                putIn(piece, number, placed, *law, deltaT, next);
+            full = full || entered < number;
+            inLayer += entered;
+        }
+        else if (number <= -1)
+        {
+            inLayer -= takeOut(piece, -number, near, next);
+        }
+        supplied(piece, inLayer, deltaT);
+    }
+
     if (started_)
     {
-        // Rounded up as often as down, so that the mean is kept
-        number = std::floor(wanted(now, deltaT) + draw()[0]);
+        noteWaiting(sum(now), full, time, deltaT);
     }
-    const bool atStart = !started_;
     started_ = true;
-    bool full = false;
-
-    if (number >= 1)
-    {
-        placedPoints placed(scene_.axes, reach());
-        for (const point& x : near.x)
-        {
-            placed.add(x);
-        }
-        const auto law = scene_.interactions.force(time);
-
-        for (label i = 0; i < label(number); ++i)
-        {
-            patchLayer::place found;
-            if (!findPlace(placed, *law, deltaT, found))
-            {
-                full = true;
-                ++waited_;
-                noRoom(label(number) - i);
-                break;
-            }
-            placed.add(found.x);
-            next.enter.append(found);
-        }
-    }
-    else if (number <= -1)
-    {
-        DynamicList<label> inLayer;
-        forAll(near.x, i)
-        {
-            if (layer_.depth(near.x[i]) > 0 && layer_.covers(near.x[i]))
-            {
-                inLayer.append(near.id[i]);
-            }
-        }
-        // Any of them, whatever rank told of it first
-        Foam::sort(inLayer);
-
-        for (label i = 0; i < label(-number) && inLayer.size(); ++i)
-        {
-            const label which =
-                min(label(draw()[0]*inLayer.size()), inLayer.size() - 1);
-            next.leave.append(inLayer[which]);
-            inLayer.remove(which);
-        }
-    }
-    if (!atStart)
-    {
-        noteWaiting(now, full, time, deltaT);
-    }
     return next;
 }
 

@@ -35,7 +35,7 @@ Foam::forceInlet::forceInlet
 :
     clayInlet
     (
-        name, dict, where, {1, 0, 1}
+        name, dict, where, {1, 0, 1, GREAT}
     ),
     kind_("calibrated")
 {
@@ -73,7 +73,12 @@ Foam::scalar Foam::forceInlet::forceAt(const scalar time) const
 }
 
 
-Foam::scalar Foam::forceInlet::wanted(const counts& now, const scalar deltaT)
+Foam::scalar Foam::forceInlet::wanted
+(
+    const label,
+    const counts& now,
+    const scalar deltaT
+)
 {
     const scalar present = scene_.mesh.time().value();
     const scalar time = relaxationTime(present);

@@ -6,8 +6,8 @@
 #include "reservoirInlet.H"
 #include "addToRunTimeSelectionTable.H"
 #include "checkWords.H"
+#include "DynamicList.H"
 #include "polyMesh.H"
-#include "SubField.H"
 
 namespace Foam
 {
@@ -38,8 +38,9 @@ Foam::reservoirInlet::reservoirInlet
 :
     clayInlet
     (
-        name, dict, where, {3.5, 0.6, 2.4}
-    )
+        name, dict, where, {3.5, 0.6, 2.4, 5}
+    ),
+    holding_(pieces_.size())
 {
     colloid::checkWords(dict, commonWords);
 }
@@ -47,46 +48,76 @@ Foam::reservoirInlet::reservoirInlet
 
 Foam::scalar Foam::reservoirInlet::wanted
 (
+    const label piece,
     const counts& now,
     const scalar deltaT
 )
 {
     const scalar time = slowness*relaxationTime(scene_.mesh.time().value());
-    const scalar number = numberIn(2);
+    const scalar number = numberIn(2)*pieces_.share(piece);
     const scalar missing = number - now.atPatch;
+    holding& has = holding_[piece];
 
-    // Not while a layer is filled: what is missing then is not missing later
-    filled_ = filled_ || mag(missing) < nearly*number;
-    if (filled_)
+    // What has gone since the last time
+    if (has.interval > 0)
     {
-        missed_ += missing*deltaT/(slowlier*time);
-        missed_ = min(max(missed_, -number), number);
+        const scalar rate = (has.inLayer - now.inLayer)/has.interval;
+        has.rate += (1 - Foam::exp(-has.interval/time))*(rate - has.rate);
     }
 
-    return
-        (missing + missed_)*deltaT/time
-      + density()*waterThrough()*deltaT;
+    // Not while a layer is filled: what is missing then is not missing later
+    has.filled = has.filled || mag(missing) < nearly*number;
+    if (has.filled)
+    {
+        has.missed += missing*deltaT/(slowlier*time);
+        has.missed = min(max(has.missed, -number), number);
+    }
+
+    return (missing + has.missed)*deltaT/time + has.rate*deltaT;
 }
 
 
-Foam::scalar Foam::reservoirInlet::waterThrough() const
+void Foam::reservoirInlet::supplied
+(
+    const label piece,
+    const label inLayer,
+    const scalar deltaT
+)
 {
-    if (!scene_.interactions.drag())
-    {
-        return 0;
-    }
+    holding_[piece].inLayer = inLayer;
+    holding_[piece].interval = deltaT;
+}
 
-    const vectorField& U = waterAtPatch();
-    const vectorField::subField areas
-    (
-        scene_.mesh.boundaryMesh()[layer_.patch()].faceAreas()
-    );
 
-    // OpenFOAM's areas point out of the mesh
-    scalar sum = 0;
-    forAll(U, i)
+Foam::scalarList Foam::reservoirInlet::memory() const
+{
+    DynamicList<scalar> all;
+    for (const holding& has : holding_)
     {
-        sum -= U[i] & areas[i];
+        all.append
+        ({
+            has.missed, scalar(has.filled), has.rate, scalar(has.inLayer),
+            has.interval
+        });
     }
-    return returnReduce(sum, sumOp<scalar>());
+    return scalarList(all);
+}
+
+
+void Foam::reservoirInlet::remember(const scalarList& memory)
+{
+    // In other pieces (of another fraction, another mesh) it is learnt anew
+    if (memory.size() != 5*holding_.size())
+    {
+        return;
+    }
+    label i = 0;
+    for (holding& has : holding_)
+    {
+        has.missed = memory[i++];
+        has.filled = memory[i++] > 0;
+        has.rate = memory[i++];
+        has.inLayer = memory[i++];
+        has.interval = memory[i++];
+    }
 }

@@ -94,7 +94,11 @@ Foam::triangleCover::triangleCover
 }
 
 
-bool Foam::triangleCover::covers(const point& x, const scalar margin) const
+Foam::label Foam::triangleCover::over
+(
+    const point& x,
+    const scalar margin
+) const
 {
     const corner p(inPlane(x));
 
@@ -113,8 +117,8 @@ bool Foam::triangleCover::covers(const point& x, const scalar margin) const
         }
         if (over)
         {
-            return true;
+            return k;
         }
     }
-    return false;
+    return -1;
 }

@@ -65,7 +65,7 @@ Foam::velocityInlet::velocityInlet
 :
     clayInlet
     (
-        name, dict, where, {2, 0, 2}
+        name, dict, where, {2, 0, 2, GREAT}
     ),
     withWater_(dict.found("U") && dict.lookup("U")[0].isWord()),
     U_(readU())
@@ -125,6 +125,7 @@ Foam::scalar Foam::velocityInlet::interval(const scalar) const
 
 Foam::scalar Foam::velocityInlet::wanted
 (
+    const label,
     const counts&,
     const scalar deltaT
 )
@@ -146,6 +147,7 @@ void Foam::velocityInlet::noRoom(const label number)
 
 Foam::patchLayer::place Foam::velocityInlet::tryPlace
 (
+    const label piece,
     const FixedList<scalar, 4>& random,
     const scalar deltaT
 ) const
@@ -153,7 +155,7 @@ Foam::patchLayer::place Foam::velocityInlet::tryPlace
     // At a start anywhere; then in the part that the layer has left free
     if (speed_.empty())
     {
-        return clayInlet::tryPlace(random, deltaT);
+        return clayInlet::tryPlace(piece, random, deltaT);
     }
 
     patchLayer::place tried
