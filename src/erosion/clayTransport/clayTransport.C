@@ -94,7 +94,14 @@ Foam::clayTransport::clayTransport
     ),
     alphaPhi_
     (
-        IOobject("alphaPhi", mesh_.time().timeName(), mesh_),
+        IOobject
+        (
+            "alphaPhi",
+            mesh_.time().timeName(),
+            mesh_,
+            IOobject::NO_READ,
+            IOobject::AUTO_WRITE
+        ),
         mesh_,
         dimensionedScalar(dimVolume/dimTime, Zero)
     ),
