@@ -30,6 +30,7 @@ set ytics 0.002
 set key bottom right maxrows 6
 plot C with lines lw 2 lc rgb 0 title "theory (C), D of the parcels", \
     A with lines lw 1.5 dt 2 lc rgb 0 title "as printed (A)", \
+    "continuum.dat" using 1:2 with lines lw 2 lc rgb "#CC3311" title "erosionFoam, D of the parcels", \
     for [a in sizes] has(a) ? "< awk '$4 == ".a."' loss.dat" : "< echo NaN NaN NaN NaN NaN" \
         using 5:2:(2*$3) with yerrorbars pt 7 lw 1.5 lc rgb colour(int(a)) \
         title (has(a) ? "parcels of ".a."^3" : "")
