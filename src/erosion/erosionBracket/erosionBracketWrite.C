@@ -44,7 +44,7 @@ void Foam::erosionBracket::write
         << "Water " << where.velocity << " m/s, aperture " << where.aperture
         << " m" << nl << nl
         << "                          kg/s      mg/h      kg/a   kg/m2/a"
-        << "  kg/1e5 a   rim/b" << nl;
+        << "  kg/1e5 a     rim/b" << nl;
 
     for
     (
@@ -64,7 +64,7 @@ void Foam::erosionBracket::write
 
         if (t->thickness > 0)
         {
-            line<< column(t->rimThickness(where)/where.aperture, 8);
+            line<< column(t->rimThickness(where)/where.aperture, 10);
         }
 
         os  << line.str().c_str() << nl;
