@@ -157,7 +157,7 @@ if fastest > 0 and asked.lines > 0:
     lines.MaximumStreamlineLength = 4*size
     lines.MaximumSteps = 20000
     lines.IntegrationDirection = 'BOTH'
-    lines.TerminalSpeed = 1e-9*fastest
+    lines.TerminalSpeed = 3e-3*fastest
     lines.SurfaceStreamlines = 1
     cut = lines
     if asked.box:
