@@ -16,7 +16,7 @@ colour(alpha) = alpha == 800 ? 0x6fb1d8 : alpha == 400 ? 0x0b4f94 : alpha == 200
 sizes = "800 400 200 100"
 has(alpha) = int(system("ls runs | grep -c '^".alpha."[.]1$'"))
 
-set multiplot layout 2, 2 margins 0.07, 0.985, 0.07, 0.96 spacing 0.085, 0.1
+set multiplot layout 2, 2 margins 0.08, 0.985, 0.07, 0.96 spacing 0.095, 0.12
 set grid lt 1 lw 1 lc rgb "#e4e4e4"
 set key opaque samplen 2.5 spacing 1.15
 set bars small
