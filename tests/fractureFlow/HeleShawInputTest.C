@@ -47,7 +47,7 @@ TEST(HeleShawInput, aperturesThatCannotBeAreRefused)
         {"aperture 1e-3; nu 1;", {"nu", "transmissivity"}},
         {"aperture 0;", {"Impossible aperture 0", "1e-09"}},
         {"aperture -1e-3;", {"Impossible aperture"}},
-        {"aperture 1 mm;", {"aperture", "excess", "mm"}},
+        {"aperture 1 kg;", {"aperture", "kg", "mm"}},
         {"aperture missing;", {"missing", "neither in", "decomposePar"}},
         {"aperture T;", {"T", "[0 2 -1 0 0 0 0]", "[0 1 0 0 0 0 0]"}},
         {"aperture b;", {"Impossible aperture", "field b", "from 0"}},
