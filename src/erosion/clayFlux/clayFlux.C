@@ -5,6 +5,8 @@
 
 #include "clayFlux.H"
 #include "checkWords.H"
+#include "fvcSurfaceIntegrate.H"
+#include "linear.H"
 #include "syncTools.H"
 #include "uniformDimensionedFields.H"
 #include "wallFvPatch.H"
@@ -132,6 +134,7 @@ Foam::clayFlux::clayFlux
         mesh_,
         dimensionedScalar("1", dimless, 1)
     ),
+    conductance_(diffusing_*mesh_.magSf()*mesh_.nonOrthDeltaCoeffs()),
     skewed_
     (
         gMax(mag(mesh_.nonOrthCorrectionVectors())().primitiveField()) > 1e-8
@@ -171,6 +174,10 @@ Foam::clayFlux::clayFlux
 
 void Foam::clayFlux::update(const scalar tolerance)
 {
+    conductance_ =
+        linearInterpolate(aperture_)*diffusing_*mesh_.magSf()
+       *mesh_.nonOrthDeltaCoeffs();
+
     if (salt_)
     {
         potential_.setVarying();
@@ -214,6 +221,81 @@ void Foam::clayFlux::evaluate
     if (derivatives)
     {
         derivatives->negSumDiag();
+    }
+}
+
+
+void Foam::clayFlux::change
+(
+    scalarField& alpha,
+    const scalarField& from,
+    const scalarField& linearChange,
+    const scalarField& stiffness
+) const
+{
+    // Of all faces through which the potential drives
+    scalarField conductance(fvc::surfaceSum(conductance_)().primitiveField());
+
+    forAll(mesh_.boundary(), patchi)
+    {
+        const fvPatchScalarField& patch = alpha_.boundaryField()[patchi];
+        const scalarField& ofPatch = conductance_.boundaryField()[patchi];
+
+        if (!patch.coupled() && !patch.fixesValue())
+        {
+            forAll(ofPatch, i)
+            {
+                conductance[patch.patch().faceCells()[i]] -= ofPatch[i];
+            }
+        }
+    }
+
+    forAll(alpha, celli)
+    {
+        const auto law = potential_.at
+        (
+            salt_ ? (*salt_)[celli] : concentration_
+        );
+        const scalar start = from[celli];
+        const potentialInWater::point before(law.at(start));
+        const scalar G = conductance[celli];
+
+        // By what does not diffuse; round-off may leave nothing
+        const scalar holding = max
+        (
+            stiffness[celli] - G*before.diffusivity,
+            1e-6*stiffness[celli]
+        );
+        const scalar wanted =
+            (holding + G*before.diffusivity)*linearChange[celli];
+        const auto excess = [&](const scalar a, const scalar potential)
+        {
+            return holding*(a - start) + G*(potential - before.potential) - wanted;
+        };
+
+        // Newton's method within a bracket, as D >= 0
+        scalar low = start + min(wanted/holding, scalar(0));
+        scalar high = start + max(wanted/holding, scalar(0));
+        scalar a = min(max(start + linearChange[celli], low), high);
+
+        for (label i = 0; i < 50; ++i)
+        {
+            const potentialInWater::point here(law.at(a));
+            const scalar over = excess(a, here.potential);
+
+            if (mag(over) <= 1e-10*mag(wanted))
+            {
+                break;
+            }
+            (over > 0 ? high : low) = a;
+            a -= over/(holding + G*here.diffusivity);
+
+            if (a <= low || a >= high)
+            {
+                a = 0.5*(low + high);
+            }
+        }
+        alpha[celli] = a;
     }
 }
 

@@ -192,8 +192,9 @@ void Foam::clayFlux::evaluate
 
     forAll(alpha, i)
     {
-        potential[i] = law.value(alpha[i]);
-        D[i] = law.slope(alpha[i]);
+        const potentialInWater::point here(law.at(alpha[i]));
+        potential[i] = here.potential;
+        D[i] = here.diffusivity;
     }
 }
 
@@ -206,25 +207,10 @@ void Foam::clayFlux::addDiffusion
 {
     surfaceScalarField J("J", 0*F);
 
-    const surfaceScalarField conductance
-    (
-        linearInterpolate(aperture_)*diffusing_*mesh_.magSf()
-       *mesh_.nonOrthDeltaCoeffs()
-    );
+    const surfaceScalarField& conductance = conductance_;
     const labelUList& owner = mesh_.owner();
     const labelUList& neighbour = mesh_.neighbour();
     const scalarField& alpha = alpha_.primitiveField();
-
-    // Potential less that of the other side of a face, and its derivatives
-    const auto difference =
-    [](
-        const diffusionPotential::atConcentration& law,
-        const scalar here,
-        const scalar there
-    )
-    {
-        return law.value(here) - law.value(there);
-    };
 
     scalarField byOwner(mesh_.nInternalFaces());
     scalarField byNeighbour(mesh_.nInternalFaces());
@@ -240,14 +226,16 @@ void Foam::clayFlux::addDiffusion
             const label o = owner[facei];
             const label n = neighbour[facei];
             const auto law = potential_.at(concentration[facei]);
+            const potentialInWater::point here(law.at(alpha[o]));
+            const potentialInWater::point there(law.at(alpha[n]));
 
-            J[facei] += G*difference(law, alpha[o], alpha[n]);
-            byOwner[facei] = G*law.slope(alpha[o]);
-            byNeighbour[facei] = -G*law.slope(alpha[n]);
+            J[facei] += G*(here.potential - there.potential);
+            byOwner[facei] = G*here.diffusivity;
+            byNeighbour[facei] = -G*there.diffusivity;
         }
         forAll(D, celli)
         {
-            D[celli] = potential_.at((*salt_)[celli]).slope(alpha[celli]);
+            D[celli] = potential_.at((*salt_)[celli]).at(alpha[celli]).diffusivity;
         }
     }
     else
@@ -315,16 +303,18 @@ void Foam::clayFlux::addDiffusion
             (
                 salt_ ? concentration[i] : concentration_
             );
+            const potentialInWater::point here(law.at(inside[i]));
+            const potentialInWater::point there(law.at(outside[i]));
 
             if (coupled)
             {
-                patchJ[i] += G[i]*difference(law, inside[i], outside[i]);
+                patchJ[i] += G[i]*(here.potential - there.potential);
                 if (derivatives)
                 {
                     derivatives->internalCoeffs()[patchi][i] +=
-                        G[i]*law.slope(inside[i]);
+                        G[i]*here.diffusivity;
                     derivatives->boundaryCoeffs()[patchi][i] +=
-                        G[i]*law.slope(outside[i]);
+                        G[i]*there.diffusivity;
                 }
                 continue;
             }
@@ -334,8 +324,8 @@ void Foam::clayFlux::addDiffusion
             const scalar step = outside[i] - inside[i];
             const scalar mean =
                 mag(step) > 1e-12
-              ? -difference(law, inside[i], outside[i])/step
-              : law.slope(inside[i]);
+              ? (there.potential - here.potential)/step
+              : here.diffusivity;
             const scalar area =
                 G[i]/mesh_.nonOrthDeltaCoeffs().boundaryField()[patchi][i];
 
@@ -345,7 +335,7 @@ void Foam::clayFlux::addDiffusion
             {
                 derivatives->internalCoeffs()[patchi][i] -=
                     area*gradientInternal[i]
-                   *(patch.fixesValue() ? law.slope(inside[i]) : mean);
+                   *(patch.fixesValue() ? here.diffusivity : mean);
             }
         }
     }

@@ -124,6 +124,27 @@ Foam::scalar Foam::clayTransport::errorOf
 }
 
 
+Foam::scalarField Foam::clayTransport::stiffnessOf
+(
+    const fvScalarMatrix& matrix
+) const
+{
+    scalarField stiffness(matrix.diag());
+
+    forAll(mesh_.boundary(), patchi)
+    {
+        const labelUList& cells = mesh_.boundary()[patchi].faceCells();
+        const scalarField& ofPatch = matrix.internalCoeffs()[patchi];
+
+        forAll(ofPatch, i)
+        {
+            stiffness[cells[i]] += ofPatch[i];
+        }
+    }
+    return stiffness;
+}
+
+
 bool Foam::clayTransport::iterateNewton
 (
     const scalarField& old,
@@ -139,6 +160,7 @@ bool Foam::clayTransport::iterateNewton
     tmp<volScalarField> tchange(newChange());
     volScalarField& change = tchange.ref();
     fvScalarMatrix derivatives(change, dimVolume/dimTime);
+    scalarField stiffness;
 
     // What the fluxes would change alpha by, less what it has changed
     const auto evaluate = [&]
@@ -146,44 +168,63 @@ bool Foam::clayTransport::iterateNewton
         alpha_.correctBoundaryConditions();
         flux_.evaluate(F, &derivatives);
         missing = -clayFlux::outflow(F) - content*(alpha - old);
+        derivatives.diag() += content;
+        stiffness = stiffnessOf(derivatives);
     };
-    evaluate();
 
     // In units of alpha: what a cell alone would change by
-    const scalarField stiffness(derivatives.diag() + content);
-    const auto sizeOf = [&]
+    const auto largest = [&]
     {
         return gMax(mag(missing/stiffness));
     };
-    scalar size = sizeOf();
-    const scalar start = size;
-    const scalar enough =
-        relative > 0
-      ? max(relative*start, ROOTVSMALL + 1e-14*gMax(alpha))
-      : residual_;
 
-    for (label i = 0; size > enough; ++i)
+    // In this norm two fields of clay that spreads never part, which makes it
+    // the one to go downhill by
+    const auto total = [&]
+    {
+        return gSum(mag(missing));
+    };
+
+    evaluate();
+    scalar size = total();
+    const scalar start = size;
+    const auto enough = [&]
+    {
+        return
+            relative > 0
+          ? size <= relative*start
+         || largest() <= ROOTVSMALL + 1e-14*gMax(alpha)
+          : largest() <= residual_;
+    };
+
+    for (label i = 0; !enough(); ++i)
     {
         if (i == maxIterations_ || !(size < GREAT))
         {
             return false;
         }
         ++nIterations_;
-        derivatives.diag() += content;
         solveFor(change, derivatives, missing);
 
-        // Newton's step, halved until the imbalance is less
+        // Newton's step, halved until less is missing
         const scalarField from(alpha);
+        const scalarField stiffnessThere(stiffness);
         const scalar before = size;
         scalar share = 1;
 
         for (label halvings = 0; ; ++halvings)
         {
-            alpha = from + share*change.primitiveField();
+            flux_.change
+            (
+                alpha,
+                from,
+                share*change.primitiveField(),
+                stiffnessThere
+            );
             evaluate();
-            size = sizeOf();
+            size = total();
 
-            if (size < before || size <= enough)
+            if (size < before || enough())
             {
                 break;
             }

@@ -81,6 +81,7 @@ Foam::potentialInWater::potentialInWater
 )
 :
     largest_(largest),
+    length_(std::log1p(largest/first)/panels),
     phases_
     (
         phasesOf(model, *model.at(solution), largest, solution.concentration)
@@ -97,7 +98,6 @@ Foam::potentialInWater::potentialInWater
           : max(law->value(alpha), scalar(0));
     };
 
-    const scalar length = std::log1p(largest/first)/panels;
     nodes_.resize(panels + 1);
     nodes_[0] = {0, 0, D(0), D(0)};
 
@@ -105,7 +105,7 @@ Foam::potentialInWater::potentialInWater
     {
         node& upper = nodes_[i];
         node& lower = nodes_[i - 1];
-        upper.alpha = i == panels ? largest : first*std::expm1(i*length);
+        upper.alpha = i == panels ? largest : first*std::expm1(i*length_);
 
         // The phases lie within panels: their kinks are integrated apart
         std::vector<scalar> ends{lower.alpha, upper.alpha};
@@ -136,9 +136,8 @@ Foam::potentialInWater::potentialInWater
 
 std::size_t Foam::potentialInWater::panel(const scalar alpha) const
 {
-    const scalar length = std::log1p(largest_/first)/panels;
     std::size_t i =
-        std::min<std::size_t>(panels - 1, std::log1p(alpha/first)/length);
+        std::min<std::size_t>(panels - 1, std::log1p(alpha/first)/length_);
 
     // Round-off of the logarithm
     if (alpha < nodes_[i].alpha && i > 0)
@@ -149,16 +148,24 @@ std::size_t Foam::potentialInWater::panel(const scalar alpha) const
 }
 
 
-Foam::scalar Foam::potentialInWater::value(const scalar alpha) const
+Foam::potentialInWater::point Foam::potentialInWater::at
+(
+    const scalar alpha
+) const
 {
     if (alpha <= 0)
     {
-        return alpha*nodes_.front().slopeAbove;
+        const scalar D = nodes_.front().slopeAbove;
+        return {alpha*D, D};
     }
     if (alpha >= largest_)
     {
         const node& last = nodes_.back();
-        return last.potential + (alpha - largest_)*last.slopeBelow;
+        return
+        {
+            last.potential + (alpha - largest_)*last.slopeBelow,
+            last.slopeBelow
+        };
     }
 
     const std::size_t i = panel(alpha);
@@ -169,29 +176,11 @@ Foam::scalar Foam::potentialInWater::value(const scalar alpha) const
     const scalar rise = b.potential - a.potential;
 
     return
+    {
         a.potential + rise*t*t*(3 - 2*t)
-      + h*t*(1 - t)*(a.slopeAbove*(1 - t) - b.slopeBelow*t);
-}
+      + h*t*(1 - t)*(a.slopeAbove*(1 - t) - b.slopeBelow*t),
 
-
-Foam::scalar Foam::potentialInWater::slope(const scalar alpha) const
-{
-    if (alpha <= 0)
-    {
-        return nodes_.front().slopeAbove;
-    }
-    if (alpha >= largest_)
-    {
-        return nodes_.back().slopeBelow;
-    }
-
-    const std::size_t i = panel(alpha);
-    const node& a = nodes_[i];
-    const node& b = nodes_[i + 1];
-    const scalar h = b.alpha - a.alpha;
-    const scalar t = (alpha - a.alpha)/h;
-
-    return
-        6*t*(1 - t)*(b.potential - a.potential)/h
-      + a.slopeAbove*(1 - t)*(1 - 3*t) + b.slopeBelow*t*(3*t - 2);
+        6*t*(1 - t)*rise/h
+      + a.slopeAbove*(1 - t)*(1 - 3*t) + b.slopeBelow*t*(3*t - 2)
+    };
 }
