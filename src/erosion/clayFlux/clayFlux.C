@@ -217,6 +217,7 @@ void Foam::clayFlux::evaluate
     addAdvection(F, derivatives);
     addDiffusion(F, derivatives);
     addSettling(F, derivatives);
+    F += held_.valid() ? held_ : correction();
 
     if (derivatives)
     {
@@ -252,10 +253,7 @@ void Foam::clayFlux::change
 
     forAll(alpha, celli)
     {
-        const auto law = potential_.at
-        (
-            salt_ ? (*salt_)[celli] : concentration_
-        );
+        const auto law = lawOf(celli);
         const scalar start = from[celli];
         const potentialInWater::point before(law.at(start));
         const scalar G = conductance[celli];
@@ -283,16 +281,20 @@ void Foam::clayFlux::change
             const potentialInWater::point here(law.at(a));
             const scalar over = excess(a, here.potential);
 
-            if (mag(over) <= 1e-10*mag(wanted))
+            // As the change itself is one of many
+            if (mag(over) <= 1e-6*mag(wanted))
             {
                 break;
             }
             (over > 0 ? high : low) = a;
-            a -= over/(holding + G*here.diffusivity);
+            const scalar next = a - over/(holding + G*here.diffusivity);
+            const scalar last = a;
 
-            if (a <= low || a >= high)
+            a = next > low && next < high ? next : 0.5*(low + high);
+
+            if (a == last || high - low <= 1e-15)
             {
-                a = 0.5*(low + high);
+                break;
             }
         }
         alpha[celli] = a;
@@ -300,22 +302,20 @@ void Foam::clayFlux::change
 }
 
 
-void Foam::clayFlux::holdScheme(const scalar presentShare)
+void Foam::clayFlux::holdCorrection(const scalar presentShare)
 {
-    const tmp<volScalarField> a(carried());
-    overUpwind_ = advected(a()) - upwindAdvected(a());
+    held_ = correction();
 
-    if (presentShare < 1 && lastOverUpwind_.valid())
+    if (presentShare < 1 && lastHeld_.valid())
     {
-        overUpwind_.ref() =
-            presentShare*overUpwind_() + (1 - presentShare)*lastOverUpwind_();
+        held_.ref() = presentShare*held_() + (1 - presentShare)*lastHeld_();
     }
 }
 
 
-void Foam::clayFlux::holdUpwind(const boolList& cells)
+void Foam::clayFlux::withoutCorrection(const boolList& cells)
 {
-    surfaceScalarField& held = overUpwind_.ref();
+    surfaceScalarField& held = held_.ref();
 
     forAll(mesh_.owner(), facei)
     {
@@ -350,10 +350,10 @@ void Foam::clayFlux::holdUpwind(const boolList& cells)
 }
 
 
-void Foam::clayFlux::releaseScheme()
+void Foam::clayFlux::releaseCorrection()
 {
-    lastOverUpwind_ = overUpwind_;
-    overUpwind_.clear();
+    lastHeld_ = held_;
+    held_.clear();
 }
 
 

@@ -115,10 +115,7 @@ void Foam::clayFlux::addAdvection
     const tmp<volScalarField> ta(carried());
     const volScalarField& a = ta();
 
-    F +=
-        overUpwind_.valid()
-      ? upwindAdvected(a) + overUpwind_()
-      : advected(a);
+    F += upwindAdvected(a);
 
     if (!derivatives)
     {
@@ -185,16 +182,11 @@ void Foam::clayFlux::evaluate
     const scalarField& alpha
 ) const
 {
-    const diffusionPotential::atConcentration law
-    (
-        potential_.at(concentration_)
-    );
-
-    forAll(alpha, i)
+    forAll(alpha, celli)
     {
-        const potentialInWater::point here(law.at(alpha[i]));
-        potential[i] = here.potential;
-        D[i] = here.diffusivity;
+        const potentialInWater::point here(lawOf(celli).at(alpha[celli]));
+        potential[celli] = here.potential;
+        D[celli] = here.diffusivity;
     }
 }
 
@@ -214,7 +206,6 @@ void Foam::clayFlux::addDiffusion
 
     scalarField byOwner(mesh_.nInternalFaces());
     scalarField byNeighbour(mesh_.nInternalFaces());
-    scalarField D(mesh_.nCells());
 
     if (salt_)
     {
@@ -233,14 +224,11 @@ void Foam::clayFlux::addDiffusion
             byOwner[facei] = G*here.diffusivity;
             byNeighbour[facei] = -G*there.diffusivity;
         }
-        forAll(D, celli)
-        {
-            D[celli] = potential_.at((*salt_)[celli]).at(alpha[celli]).diffusivity;
-        }
     }
     else
     {
         scalarField potential(mesh_.nCells());
+        scalarField D(mesh_.nCells());
         evaluate(potential, D, alpha);
 
         forAll(byOwner, facei)
@@ -340,53 +328,64 @@ void Foam::clayFlux::addDiffusion
         }
     }
 
-    if (skewed_)
-    {
-        addSkewness(J, D);
-    }
     F += J;
 }
 
 
-void Foam::clayFlux::addSkewness
-(
-    surfaceScalarField& J,
-    const scalarField& D
-) const
+Foam::tmp<Foam::surfaceScalarField> Foam::clayFlux::skewness() const
 {
     volVectorField gradient(fvc::grad(alpha_));
-    gradient.primitiveFieldRef() *= D;
+    forAll(gradient, celli)
+    {
+        gradient[celli] *= lawOf(celli).at(alpha_[celli]).diffusivity;
+    }
     gradient.correctBoundaryConditions();
 
-    const surfaceScalarField correction
+    tmp<surfaceScalarField> tskewness
     (
-        linearInterpolate(aperture_)*diffusing_*mesh_.magSf()
+       -linearInterpolate(aperture_)*diffusing_*mesh_.magSf()
        *(mesh_.nonOrthCorrectionVectors() & linearInterpolate(gradient))
+       *dimensionedScalar("1", dimVolume/dimTime/dimLength, 1)
     );
+    surfaceScalarField& skew = tskewness.ref();
+    skew.oriented() = phi_.oriented();
+
+    surfaceScalarField straight("straight", 0*skew);
+    addDiffusion(straight, nullptr);
 
     // At most as large as the rest, as OpenFOAM's limited 0.5
-    const auto limited = [](const scalar c, const scalar straight)
+    const auto limit = [](scalarField& part, const scalarField& straight)
     {
-        return sign(c)*min(mag(c), mag(straight));
+        forAll(part, i)
+        {
+            part[i] = sign(part[i])*min(mag(part[i]), mag(straight[i]));
+        }
     };
 
-    forAll(J, facei)
+    limit(skew.primitiveFieldRef(), straight.primitiveField());
+    forAll(skew.boundaryField(), patchi)
     {
-        J[facei] -= limited(correction[facei], J[facei]);
-    }
-    forAll(J.boundaryField(), patchi)
-    {
+        scalarField& patchSkew = skew.boundaryFieldRef()[patchi];
+
         if (alpha_.boundaryField()[patchi].coupled())
         {
-            scalarField& patchJ = J.boundaryFieldRef()[patchi];
-            const scalarField& c = correction.boundaryField()[patchi];
-
-            forAll(patchJ, i)
-            {
-                patchJ[i] -= limited(c[i], patchJ[i]);
-            }
+            limit(patchSkew, straight.boundaryField()[patchi]);
+        }
+        else
+        {
+            patchSkew = 0;
         }
     }
+    return tskewness;
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::clayFlux::correction() const
+{
+    const tmp<volScalarField> a(carried());
+    tmp<surfaceScalarField> over(advected(a()) - upwindAdvected(a()));
+
+    return skewed_ ? over + skewness() : over;
 }
 
 

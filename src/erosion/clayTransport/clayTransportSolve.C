@@ -16,7 +16,7 @@ constexpr Foam::scalar clayFloor = 1e-4;
 constexpr Foam::scalar steadyTolerance = 1;
 
 // Of a time step: each brings the advection nearer to that of its end
-constexpr Foam::label nSchemeUpdates = 3;
+constexpr Foam::label nCorrections = 3;
 
 } // End anonymous namespace
 
@@ -252,15 +252,15 @@ bool Foam::clayTransport::step
 
     const scalarField content(aperture_.primitiveField()*mesh_.V()/deltaT);
 
-    // What limited schemes add to upwind is held while Newton's method works,
-    // and brought up to date after it
-    flux_.holdScheme(1);
+    // What is explicit is held while Newton's method works, and brought up to
+    // date after it
+    flux_.holdCorrection(1);
 
     for (label i = 1; ; ++i)
     {
         if (!iterateNewton(old, deltaT, F, missing))
         {
-            flux_.releaseScheme();
+            flux_.releaseCorrection();
             return false;
         }
 
@@ -268,10 +268,10 @@ bool Foam::clayTransport::step
         alpha += missing/content;
         alpha_.correctBoundaryConditions();
 
-        if (i < nSchemeUpdates)
+        if (i < nCorrections)
         {
-            flux_.releaseScheme();
-            flux_.holdScheme(1);
+            flux_.releaseCorrection();
+            flux_.holdCorrection(1);
             continue;
         }
 
@@ -293,12 +293,12 @@ bool Foam::clayTransport::step
         }
         reduce(bounded, andOp<bool>());
 
-        if (bounded || i == 2*nSchemeUpdates)
+        if (bounded || i == 2*nCorrections)
         {
-            flux_.releaseScheme();
+            flux_.releaseCorrection();
             return bounded;
         }
-        flux_.holdUpwind(outside);
+        flux_.withoutCorrection(outside);
     }
 }
 
@@ -419,7 +419,7 @@ Foam::scalar Foam::clayTransport::iterate()
         gSum(mag(clayFlux::outflow(alphaPhi_)))
        /max(max(throughBoundary(), 1e-3*gSum(mag(alphaPhi_.primitiveField()))), VSMALL);
 
-    flux_.holdScheme(0.5);
+    flux_.holdCorrection(0.5);
 
     // Shorter steps where the residual has grown, until it is less again
     const bool worse = residual > 1.2*bestResidual_;
@@ -449,7 +449,7 @@ Foam::scalar Foam::clayTransport::iterate()
         {
             ++nSteps_;
             nextDeltaT_.value() *= min(max(growth, scalar(0.5)), scalar(worse ? 1 : 2));
-            flux_.releaseScheme();
+            flux_.releaseCorrection();
             return residual;
         }
         refuseAfter(40, nTries, nextDeltaT_.value(), solved, error);

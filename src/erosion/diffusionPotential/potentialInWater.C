@@ -134,8 +134,19 @@ Foam::potentialInWater::potentialInWater
 }
 
 
-std::size_t Foam::potentialInWater::panel(const scalar alpha) const
+Foam::potentialInWater::place Foam::potentialInWater::find
+(
+    const scalar alpha
+) const
 {
+    if (alpha <= 0)
+    {
+        return {alpha, 0, 0};
+    }
+    if (alpha >= largest_)
+    {
+        return {alpha, panels - 1, 1};
+    }
     std::size_t i =
         std::min<std::size_t>(panels - 1, std::log1p(alpha/first)/length_);
 
@@ -144,35 +155,39 @@ std::size_t Foam::potentialInWater::panel(const scalar alpha) const
     {
         --i;
     }
-    return i;
+    return
+    {
+        alpha,
+        i,
+        (alpha - nodes_[i].alpha)/(nodes_[i + 1].alpha - nodes_[i].alpha)
+    };
 }
 
 
 Foam::potentialInWater::point Foam::potentialInWater::at
 (
-    const scalar alpha
+    const place& where
 ) const
 {
-    if (alpha <= 0)
+    if (where.alpha <= 0)
     {
         const scalar D = nodes_.front().slopeAbove;
-        return {alpha*D, D};
+        return {where.alpha*D, D};
     }
-    if (alpha >= largest_)
+    if (where.alpha >= largest_)
     {
         const node& last = nodes_.back();
         return
         {
-            last.potential + (alpha - largest_)*last.slopeBelow,
+            last.potential + (where.alpha - largest_)*last.slopeBelow,
             last.slopeBelow
         };
     }
 
-    const std::size_t i = panel(alpha);
-    const node& a = nodes_[i];
-    const node& b = nodes_[i + 1];
+    const node& a = nodes_[where.panel];
+    const node& b = nodes_[where.panel + 1];
     const scalar h = b.alpha - a.alpha;
-    const scalar t = (alpha - a.alpha)/h;
+    const scalar t = where.share;
     const scalar rise = b.potential - a.potential;
 
     return
