@@ -6,8 +6,8 @@ Application
     clayRim
 
 Description
-    Erosion of a gel's edge by theory, in seconds: the bracket of rates, and
-    where system/clayRimDict has an `expansion`, the gel that swells from a
+    Erosion of a gel's edge by theory, in seconds: the bracket of rates, its
+    rims in full (rimProfiles.H), and where system/clayRimDict has an `expansion`, the gel that swells from a
     hole up to the rim where it is taken (the two-region model). Needs
     constant/ and system/, no mesh.
 
@@ -18,6 +18,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "rimHistory.H"
+#include "rimProfiles.H"
 #include "rimSweep.H"
 
 #include "argList.H"
@@ -124,6 +125,8 @@ int main(int argc, char *argv[])
     (
         Info, place.edge(), matter.clay().density
     );
+
+    rimProfiles(place, matter).write(directory);
 
     if (args.found("sweep"))
     {

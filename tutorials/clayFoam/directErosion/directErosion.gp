@@ -1,12 +1,13 @@
 # bentoFoam, GPL-3.0-or-later
-# What the gel's edge loses, from loss.dat, extrapolated.dat, theory?.dat and runs/
+# What the gel's edge loses, from loss.dat, extrapolated.dat, runs/, and by clayRim
+# edgeLoss.dat and rim*.dat
 set encoding utf8
 set terminal pngcairo size 1400, 1050 font "sans,13"
 set output "plots/directErosion.png"
 
-q0(form) = 0 + system("awk '{ print $2; exit }' theory".form.".dat")
-C = q0("C")
-A = q0("A")
+losses = system("tail -n 1 edgeLoss.dat")
+A = 0 + word(losses, 1)
+C = 0 + word(losses, 2)
 fit = system("awk '/^all/ { print $2, $3, $4 }' extrapolated.dat")
 zero = 0 + word(fit, 1)
 error = 0 + word(fit, 2)
@@ -56,8 +57,9 @@ set xrange [0:1.1]
 set yrange [0:*]
 set ytics 0.001
 set key top right
-plot "theoryC.dat" using ($1*1e3):2 with lines lw 2 lc rgb 0 title "theory (C)", \
-    "theoryA.dat" using ($1*1e3):2 with lines lw 1.5 dt 2 lc rgb 0 title "as printed (A)", \
+# By theory at the end, the distances as the root of x
+plot "rimConservative.dat" using ($2*1e3*sqrt(0.5)):3 with lines lw 2 lc rgb 0 title "theory (C)", \
+    "rimPrinted.dat" using ($2*1e3*sqrt(0.5)):3 with lines lw 1.5 dt 2 lc rgb 0 title "as printed (A)", \
     for [a in sizes] has(a) ? "runs/".a.".1/profile.dat" : "< echo NaN NaN NaN NaN NaN" \
         using ($1*1e3):2:(2*$3) with yerrorbars pt 7 ps 0.8 lc rgb colour(int(a)) \
         title (has(a) ? "parcels of ".a."^3" : "")

@@ -47,13 +47,16 @@ bool Foam::rimMatter::spreads(const scalar fraction) const
 }
 
 
+Foam::erosionBracket::matter Foam::rimMatter::laws() const
+{
+    return
+        erosionBracket::matter::of(diffusivity(), D_->value(0), viscosity_);
+}
+
+
 Foam::erosionBracket Foam::rimMatter::bracket(const scalar edgeFraction) const
 {
-    return erosionBracket
-    (
-        erosionBracket::matter::of(diffusivity(), D_->value(0), viscosity_),
-        edgeFraction
-    );
+    return erosionBracket(laws(), edgeFraction);
 }
 
 
