@@ -317,11 +317,27 @@ void flowCase::makeMesh(const boxSpec& spec)
         patchDicts.append(dict);
     };
 
-    for (label first = 0; first < 6; ++first)
+    const auto nameOf = [&](const boxFace& f) -> const word&
     {
-        const word& name = spec.patches[first];
+        const bool later =
+            f.side == 2 && spec.laterBottom.size()
+         && f.owner % n[0] >= spec.laterColumn;
+
+        return later ? spec.laterBottom : spec.patches[f.side];
+    };
+
+    const label names = spec.laterBottom.empty() ? 6 : 7;
+    for (label number = 0; number < names; ++number)
+    {
+        const label first = number < 6 ? number : 2;
+        const word& name =
+            number < 6 ? spec.patches[number] : spec.laterBottom;
         const auto begin = spec.patches.begin();
-        if (std::find(begin, begin + first, name) != begin + first)
+        if
+        (
+            number < 6
+         && std::find(begin, begin + number, name) != begin + number
+        )
         {
             continue;
         }
@@ -332,7 +348,7 @@ void flowCase::makeMesh(const boxSpec& spec)
             if
             (
                 f.side != -1
-             && spec.patches[f.side] == name
+             && nameOf(f) == name
              && localCell[f.owner] != -1
             )
             {

@@ -306,6 +306,82 @@ TEST(localViscosity, bentColumnsAreDivergenceFree)
 }
 
 
+// gelPatch may be an expression: columns stand on gel and rock beside each other, and
+// the water flows as over one patch. Where they stand on one of the two only, the
+// cells over the other one are in no column
+TEST(localViscosity, columnsStandOnAllPatchesOfAnExpression)
+{
+    boxSpec spec = rim(8, 6);
+    flowCase one(spec);
+    auto flow = solvedFlow(one);
+
+    spec.laterBottom = "rock";
+    spec.laterColumn = 5;
+
+    for (const string gel : {"\"(gel|rock)\"", "\"(rock|gel)\"", "\"[gr].*[lk]\""})
+    {
+        flowCase two(spec);
+        auto both = solvedFlow(two, "U (1 0 0); gelPatch " + gel + ";");
+
+        // But for the order of faces in sums
+        EXPECT_LT
+        (
+            gMax
+            (
+                mag
+                (
+                    both->phi().primitiveField()
+                  - flow->phi().primitiveField()
+                )()
+            ),
+            1e-16
+        ) << gel;
+        for (const word patch : {"inlet", "outlet", "water"})
+        {
+            const label i = two.mesh().boundaryMesh().findPatchID(patch);
+
+            EXPECT_LT
+            (
+                gMax
+                (
+                    mag
+                    (
+                        both->phi().boundaryField()[i]
+                      - flow->phi().boundaryField()[i]
+                    )()
+                ),
+                1e-16
+            ) << gel << ' ' << patch;
+        }
+        for (const word patch : {"gel", "rock"})
+        {
+            const label i = two.mesh().boundaryMesh().findPatchID(patch);
+
+            EXPECT_EQ
+            (
+                returnReduce(two.mesh().boundaryMesh()[i].size(), sumOp<label>()),
+                patch == "gel" ? 5 : 3
+            );
+            EXPECT_EQ(gMax(mag(both->phi().boundaryField()[i])()), 0) << patch;
+        }
+        EXPECT_LT(relativeDivergence(*both), 1e-14);
+    }
+
+    flowCase two(spec);
+    EXPECT_TRUE
+    (
+        mentions
+        (
+            messageOf
+            (
+                [&]() { solvedFlow(two, "U (1 0 0); gelPatch gel;"); }
+            ),
+            {"not layered", "18 cells are in no column", "gel"}
+        )
+    );
+}
+
+
 static string messageOfRim
 (
     boxSpec spec,
