@@ -549,6 +549,102 @@ TEST(clayTransport, aboveTheCoagulationConcentrationTheGelStays)
 }
 
 
+// Gel in the upstream half, clear water from the left: out of the gel, and a while
+// later out of the right side, comes phi times the fraction of the sol, whatever that
+// of the gel. Diffusion adds D/(U dx) of that, 1e-4
+TEST(clayTransport, waterCarriesTheSolOnlyAboveTheCoagulationConcentration)
+{
+    const scalar U = 1e-4;
+    const scalar duration = 800;
+
+    for (const scalar part : {1.0, 0.6})
+    {
+        transportCase::texts text;
+        text.clay = "water { concentration 300; }";
+        text.erosion = "diffusivity { model Liu; }";
+        text.flow = "model uniform; uniformCoeffs { U (1e-4 0 0); }";
+        transportCase t(bar(100, 0.1), {"left"}, text);
+
+        const potentialInWater potential
+        (
+            fractionDiffusivity::New
+            (
+                t.erosion.subDict("diffusivity"), t.matter
+            )(),
+            t.matter.waterAt(0),
+            0.65
+        );
+        const scalar sol = potential.phases().sol();
+        const scalar gel = potential.phases().gel();
+
+        // Also where gel fills a part of the cells only
+        ASSERT_GT(part*gel, 2*sol);
+
+        const auto inGel = [&]
+        {
+            scalar sum = 0;
+            forAll(t.alpha(), celli)
+            {
+                if (t.c.mesh().C()[celli].x() < 0.05)
+                {
+                    sum += t.alpha()[celli]*t.c.mesh().V()[celli];
+                }
+            }
+            return returnReduce(sum, sumOp<scalar>());
+        };
+
+        forAll(t.alpha(), celli)
+        {
+            t.alpha->primitiveFieldRef()[celli] =
+                t.c.mesh().C()[celli].x() < 0.05 ? part*gel : 0;
+        }
+        t.c.time().setDeltaT(1);
+        t.flow->solve();
+        t.makeTransport();
+        const scalar before = inGel();
+        t.advance(duration);
+
+        Info<< "Gel of " << part*gel << " beside a sol of " << sol << endl;
+        EXPECT_NEAR(t.leaving("right")/(U*sol), 1, 1e-3);
+        EXPECT_NEAR((before - inGel())/(U*sol*duration), 1, 1e-3);
+        EXPECT_EQ(t.clay->failedSteps(), 0);
+    }
+}
+
+
+TEST(potentialInWater, carriesAllOfASolAndOfAGelTheSolBesideIt)
+{
+    const dictionary Liu(dictionaryOf("model Liu;"));
+
+    for (const scalar concentration : {0.1, 100.0})
+    {
+        const colloid::clayProperties matter
+        (
+            dictionaryOf
+            (
+                "water { concentration " + Foam::name(concentration) + "; }"
+            )
+        );
+        const potentialInWater potential
+        (
+            fractionDiffusivity::New(Liu, matter)(), matter.waterAt(0), 0.65
+        );
+        const coexistence& phases = potential.phases();
+        const bool two = concentration > 1;
+
+        ASSERT_EQ(phases.kind() == coexistence::state::twoPhases, two);
+        for (const scalar alpha : {0.0, 1e-6, 1e-3, 0.03, 0.06, 0.3, 0.65})
+        {
+            EXPECT_EQ
+            (
+                potential.carried(alpha),
+                two && alpha > phases.sol() ? phases.sol() : alpha
+            );
+        }
+    }
+}
+
+
 TEST(clayTransport, negativeDiffusionIsRefusedWithItsRange)
 {
     transportCase::texts text;
