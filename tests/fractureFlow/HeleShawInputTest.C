@@ -72,7 +72,7 @@ TEST(HeleShawInput, meshesThatAreNoPlaneAreRefused)
             mentions
             (
                 messageOfSolution(c),
-                {"across the fracture", "3 directions", "type empty"}
+                {"across the fracture", "3 directions", "type empty", "Stokes"}
             )
         );
     }

@@ -50,7 +50,9 @@ Foam::cloudProperties::patchAction Foam::waterLimits::actionOf
             << "Patch " << patch.name() << " is of type " << patch.type()
             << ": platelets move in three dimensions." << nl
             << "    Use a pair of cyclic patches instead (periodic), or"
-            << " symmetryPlane" << exit(FatalError);
+            << " symmetryPlane. Flow model HeleShaw, which needs empty patches,"
+            << nl << "    is for clay as a continuum (erosionFoam)"
+            << exit(FatalError);
     }
 
     if (said != action::automatic)

@@ -25,7 +25,9 @@ void Foam::fractureAperture::findThickness()
             << mesh_.nSolutionD() << " directions are solved in, by its patches"
             << " of type empty" << nl
             << "HeleShaw needs a mesh of the fracture's plane, one cell thick,"
-            << " with type empty for the patches in front and behind"
+            << " with type empty for the patches in front and behind." << nl
+            << "Platelets (clayFoam) move in three dimensions and cannot have"
+            << " that: for them Stokes or NavierStokes"
             << exit(FatalError);
     }
 
