@@ -42,6 +42,7 @@ int main(int argc, char *argv[])
 
     progress log(runTime, "");
     costReport cost;
+    scalar residual = 0;
 
     while (runTime.run())
     {
@@ -66,6 +67,13 @@ int main(int argc, char *argv[])
         }
     }
 
+    if (clay.steady() && !clay.converged(residual))
+    {
+        WarningInFunction
+            << "Not steady: residual " << residual << " after the last"
+            << " iteration" << nl
+            << "    endTime in controlDict is the most iterations" << endl;
+    }
     clay.report(Info);
     cost.report(Info, 0, clay.steady() ? 0 : runTime.value());
 

@@ -81,6 +81,21 @@ void Foam::clayFlux::decideGravity(const scalar tolerance)
     friction_ = matter_.newFriction("KozenyCarman", solution);
     weight_ = clay.volume()*(clay.density - solution.density)*g;
 
+    scalar fastest = 0;
+    constexpr label parts = 1000;
+
+    for (label i = 1; i <= parts; ++i)
+    {
+        const scalar a = i*packing_/parts;
+        const scalar sinking = a/friction_->value(a);
+
+        if (sinking > fastest)
+        {
+            fastest = sinking;
+            fastestSinking_ = a;
+        }
+    }
+
     const scalar settling = mag(weight_)/friction_->value(0);
     const scalar flow =
         gMax((mag(phi_)/mesh_.magSf())().primitiveField());
@@ -143,7 +158,9 @@ Foam::clayFlux::clayFlux
     (
         properties.getOrDefault<word>("gravity", "auto", keyType::LITERAL)
     ),
-    weight_(Zero)
+    packing_(packing),
+    weight_(Zero),
+    fastestSinking_(packing)
 {
     colloid::checkChoice
     (

@@ -389,6 +389,35 @@ Foam::tmp<Foam::surfaceScalarField> Foam::clayFlux::correction() const
 }
 
 
+Foam::clayFlux::settling Foam::clayFlux::settlingOf
+(
+    const scalar above,
+    const scalar below
+) const
+{
+    // What sinks per driving force, and its derivative
+    const auto sinking = [&](const scalar a)
+    {
+        return a/friction_->value(a);
+    };
+    const auto slope = [&](const scalar a)
+    {
+        const scalar friction = friction_->value(a);
+        return (1 - a*friction_->slope(a)/friction)/friction;
+    };
+    const scalar from = max(above, scalar(0));
+    const scalar to = max(below, scalar(0));
+    const scalar sent = sinking(min(from, fastestSinking_));
+    const scalar taken = sinking(max(to, fastestSinking_));
+
+    if (sent <= taken)
+    {
+        return {sent, from < fastestSinking_ ? slope(from) : scalar(0), 0};
+    }
+    return {taken, 0, to > fastestSinking_ ? slope(to) : scalar(0)};
+}
+
+
 void Foam::clayFlux::addSettling
 (
     surfaceScalarField& F,
@@ -400,7 +429,6 @@ void Foam::clayFlux::addSettling
         return;
     }
 
-    // By the cell from which it sinks
     const surfaceScalarField drive
     (
         linearInterpolate(aperture_)
@@ -410,17 +438,22 @@ void Foam::clayFlux::addSettling
     const labelUList& owner = mesh_.owner();
     const labelUList& neighbour = mesh_.neighbour();
 
-    scalarField byOwner(mesh_.nInternalFaces(), Zero);
-    scalarField byNeighbour(mesh_.nInternalFaces(), Zero);
+    scalarField byOwner(mesh_.nInternalFaces());
+    scalarField byNeighbour(mesh_.nInternalFaces());
 
     forAll(byOwner, facei)
     {
-        const bool fromOwner = drive[facei] > 0;
-        const scalar a = alpha[fromOwner ? owner[facei] : neighbour[facei]];
-        const scalar velocity = drive[facei]/friction_->value(max(a, scalar(0)));
+        const scalar d = drive[facei];
+        const scalar ownerAlpha = alpha[owner[facei]];
+        const scalar neighbourAlpha = alpha[neighbour[facei]];
+        const settling s =
+            d > 0
+          ? settlingOf(ownerAlpha, neighbourAlpha)
+          : settlingOf(neighbourAlpha, ownerAlpha);
 
-        F[facei] += velocity*a;
-        (fromOwner ? byOwner : byNeighbour)[facei] = velocity;
+        F[facei] += d*s.flux;
+        byOwner[facei] = d*(d > 0 ? s.byAbove : s.byBelow);
+        byNeighbour[facei] = d*(d > 0 ? s.byBelow : s.byAbove);
     }
     if (derivatives)
     {
@@ -441,6 +474,8 @@ void Foam::clayFlux::addSettling
             patch.coupled() ? patch.patchNeighbourField()() : scalarField(patch)
         );
         scalarField& patchF = F.boundaryFieldRef()[patchi];
+
+        // Of the outer value by the inner one
         const scalarField valueInternal
         (
             patch.coupled()
@@ -454,27 +489,29 @@ void Foam::clayFlux::addSettling
         forAll(patchF, i)
         {
             const scalar d = drive.boundaryField()[patchi][i];
-            const scalar a = d > 0 ? inside[i] : outside[i];
-            const scalar velocity = d/friction_->value(max(a, scalar(0)));
+            const settling s =
+                d > 0
+              ? settlingOf(inside[i], outside[i])
+              : settlingOf(outside[i], inside[i]);
+            const scalar byInside = d*(d > 0 ? s.byAbove : s.byBelow);
+            const scalar byOutside = d*(d > 0 ? s.byBelow : s.byAbove);
 
-            patchF[i] += velocity*a;
+            patchF[i] += d*s.flux;
 
             if (!derivatives)
             {
                 continue;
             }
-            if (d > 0)
+            derivatives->internalCoeffs()[patchi][i] += byInside;
+
+            if (patch.coupled())
             {
-                derivatives->internalCoeffs()[patchi][i] += velocity;
-            }
-            else if (patch.coupled())
-            {
-                derivatives->boundaryCoeffs()[patchi][i] -= velocity;
+                derivatives->boundaryCoeffs()[patchi][i] -= byOutside;
             }
             else
             {
                 derivatives->internalCoeffs()[patchi][i] +=
-                    velocity*valueInternal[i];
+                    byOutside*valueInternal[i];
             }
         }
     }

@@ -118,6 +118,7 @@ Foam::clayTransport::clayTransport
         mesh_,
         dimensionedScalar(dimless/dimTime, Zero)
     ),
+    continued_(rate_.headerOk()),
     nextDeltaT_
     (
         IOobject
@@ -134,6 +135,14 @@ Foam::clayTransport::clayTransport
 {
     readControls();
     checkBounds();
+
+    Info<< "Clay: packing " << packing_ << ", ";
+    if (!steady())
+    {
+        Info<< "tolerance of a step " << tolerance_ << ", ";
+    }
+    Info<< "residual " << residual_ << ", at most " << maxIterations_
+        << " iterations of Newton's method" << endl;
 }
 
 
