@@ -9,7 +9,7 @@ usage: etc/plots/pvrun pvpython etc/plots/fracturePicture.py CASE OUT.png
 
     --time   another time than the last [s]
     --box    what is drawn [m], instead of all of the mesh
-    --log    a logarithmic scale from this solid fraction on
+    --log    a logarithmic scale from this value on
     --lines  number of streamlines (30); they start evenly along the side that
              the water comes from
     --under  another field instead of alpha.clay, with its title
