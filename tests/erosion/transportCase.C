@@ -29,7 +29,8 @@ transportCase::transportCase
         "system/fvSchemes",
         "ddtSchemes { default " + text.ddt + "; }"
         "gradSchemes { default Gauss linear; }"
-        "divSchemes { div(phi,alpha.clay) Gauss limitedLinear 1; }"
+        "divSchemes { div(phi,alpha.clay) Gauss " + text.advection + ";"
+        " div(phi,c) Gauss linear; }"
         "interpolationSchemes { default linear; }"
         "laplacianSchemes { default Gauss linear corrected; }"
         "snGradSchemes { default corrected; }"
@@ -38,7 +39,9 @@ transportCase::transportCase
     (
         "system/fvSolution",
         "solvers { alpha.clay { solver PBiCGStab; preconditioner DILU;"
-        " tolerance 1e-14; relTol 1e-4; } }"
+        " tolerance 1e-14; relTol 1e-4; }"
+        " c { solver PBiCGStab; preconditioner DILU;"
+        " tolerance 1e-12; relTol 0; } }"
         "erosion {" + text.controls + "}"
     );
     c.mesh().fvSchemes::read();
@@ -83,7 +86,11 @@ transportCase::transportCase
 }
 
 
-void transportCase::makeTransport(const surfaceScalarField* phi)
+void transportCase::makeTransport
+(
+    const surfaceScalarField* phi,
+    const volScalarField* apertureRatio
+)
 {
     alpha->correctBoundaryConditions();
     clay.reset
@@ -92,7 +99,7 @@ void transportCase::makeTransport(const surfaceScalarField* phi)
         (
             alpha(),
             phi ? *phi : flow->phi(),
-            flow->apertureRatio(),
+            apertureRatio ? *apertureRatio : flow->apertureRatio(),
             nullptr,
             matter,
             erosion
@@ -179,4 +186,48 @@ boxSpec bar(const label n, const scalar length)
     spec.patches = {"left", "right", "sides", "sides", "sides", "sides"};
     spec.types = {"patch", "patch", "empty", "empty", "empty", "empty"};
     return spec;
+}
+
+
+tmp<volScalarField> fieldOf
+(
+    const fvMesh& mesh,
+    const word& name,
+    const dimensionSet& dimensions,
+    const std::function<scalar(const vector&)>& f
+)
+{
+    tmp<volScalarField> tfield
+    (
+        new volScalarField
+        (
+            IOobject
+            (
+                name,
+                mesh.time().timeName(),
+                mesh,
+                IOobject::NO_READ,
+                IOobject::NO_WRITE,
+                false
+            ),
+            mesh,
+            dimensionedScalar(dimensions, Zero)
+        )
+    );
+    volScalarField& field = tfield.ref();
+
+    forAll(field, celli)
+    {
+        field[celli] = f(mesh.C()[celli]);
+    }
+    forAll(field.boundaryField(), patchi)
+    {
+        fvPatchScalarField& patch = field.boundaryFieldRef()[patchi];
+        forAll(patch, i)
+        {
+            patch[i] = f(mesh.Cf().boundaryField()[patchi][i]);
+        }
+    }
+    field.correctBoundaryConditions();
+    return tfield;
 }

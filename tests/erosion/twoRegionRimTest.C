@@ -305,4 +305,29 @@ TEST(twoRegionRim, isOfFirstOrderInTime)
 }
 
 
+// A plug too small to move the rim: its fraction falls to the edge's over
+// V ln(r_R/r_i)/(2 pi delta D). Steps of 0.5 % of it err by some thousandth
+TEST(twoRegionRim, followsASmallPlugThatRunsEmpty)
+{
+    auto place = scene(0.05);
+    place.plugVolume = 1e-12;
+    twoRegionRim::controls settings(pseudoSteady());
+    settings.startRadius = 2;
+    twoRegionRim rim(place, D, 0.01, settings);
+
+    const scalar time =
+        place.plugVolume*std::log(2)/(2*pi*1e-3*constantD);
+
+    for (const scalar part : {0.5, 1.0, 2.0})
+    {
+        EXPECT_TRUE(rim.advance(part*time));
+        EXPECT_NEAR
+        (
+            (rim.holeFraction() - 0.01)/(0.04*std::exp(-part)), 1, 0.01
+        );
+    }
+    EXPECT_NEAR(rim.radius(), 1, 1e-6);
+}
+
+
 // ************************************************************************* //
