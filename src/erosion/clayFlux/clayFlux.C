@@ -97,8 +97,8 @@ void Foam::clayFlux::decideGravity(const scalar tolerance)
     }
 
     const scalar settling = mag(weight_)/friction_->value(0);
-    const scalar flow =
-        gMax((mag(phi_)/mesh_.magSf())().primitiveField());
+    // Of all faces, also those between ranks and of the boundary
+    const scalar flow = max(mag(phi_)/mesh_.magSf()).value();
     const scalar measure = settling/max(flow, VSMALL);
     const bool on = gravity_ == "on" || measure > tolerance;
 
@@ -152,7 +152,7 @@ Foam::clayFlux::clayFlux
     conductance_(diffusing_*mesh_.magSf()*mesh_.nonOrthDeltaCoeffs()),
     skewed_
     (
-        gMax(mag(mesh_.nonOrthCorrectionVectors())().primitiveField()) > 1e-8
+        max(mag(mesh_.nonOrthCorrectionVectors())).value() > 1e-8
     ),
     gravity_
     (
