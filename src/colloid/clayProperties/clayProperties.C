@@ -449,6 +449,18 @@ Foam::colloid::clayProperties::newFriction
 }
 
 
+Foam::autoPtr<Foam::colloid::plateletFriction>
+Foam::colloid::clayProperties::newFriction
+(
+    const water& solution
+) const
+{
+    const word model(frictionModel());
+
+    return newFriction(model == "auto" ? "KozenyCarman" : model, solution);
+}
+
+
 Foam::colloid::coVolumeViscosity Foam::colloid::clayProperties::viscosity
 (
     const water& solution

@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "LiuDiffusivity.H"
-#include "KozenyCarmanFriction.H"
 #include "diffusivity.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -74,7 +73,7 @@ Foam::fractionDiffusivities::LiuDiffusivity::at
                 matter_.clay(),
                 solution,
                 *matter_.newDoubleLayer(doubleLayer_, solution),
-                *matter_.newFriction("KozenyCarman", solution)
+                *matter_.newFriction(solution)
             )
         )
     );
