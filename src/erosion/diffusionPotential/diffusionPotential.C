@@ -25,6 +25,7 @@ Foam::diffusionPotential::diffusionPotential
     water_(matter.waterAt(0)),
     uniform_(0)
 {
+    model_->warnBeyond(largest_);
     setUniform(water_.concentration);
 }
 

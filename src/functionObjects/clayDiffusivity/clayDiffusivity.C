@@ -384,6 +384,8 @@ bool Foam::functionObjects::clayDiffusivity::write()
         begin();
     }
     const scalarField& alpha = lookupObject<volScalarField>("alpha.clay");
+    const scalar concentration =
+        cloud().matter().waterAt(time_.value()).concentration;
 
     forAll(methods_, i)
     {
@@ -401,10 +403,16 @@ bool Foam::functionObjects::clayDiffusivity::write()
         if (Pstream::master() && writeToFile())
         {
             const string title("Diffusivity of clay by " + method);
-            table.write(baseTimeDir()/method + ".dat", title, false);
+            table.write
+            (
+                baseTimeDir()/method + ".dat", title, concentration, false
+            );
             if (i == 0)
             {
-                table.write(baseTimeDir()/"diffusivity.dat", title, true);
+                table.write
+                (
+                    baseTimeDir()/"diffusivity.dat", title, concentration, true
+                );
             }
         }
         if (i == 0)

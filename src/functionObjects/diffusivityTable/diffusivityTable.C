@@ -36,6 +36,7 @@ void Foam::diffusivityTable::write
 (
     const fileName& file,
     const string& title,
+    const scalar concentration,
     const bool onlyDiffusivity
 ) const
 {
@@ -44,6 +45,7 @@ void Foam::diffusivityTable::write
     os.precision(8);
 
     os  << "# " << title.c_str() << nl
+        << "# concentration[mol/m3] " << concentration << nl
         << "# solidFraction[-]" << tab << "D[m2/s]" << tab
         << "standardError[m2/s]";
     if (!onlyDiffusivity)

@@ -29,6 +29,9 @@ namespace
 
 using rows = Foam::fractionDiffusivities::tableDiffusivity::rows;
 
+//- Relative difference of the concentration from which on D is another
+constexpr Foam::scalar otherWater = 0.01;
+
 class betweenRows
 :
     public Foam::fractionDiffusivity::inWater
@@ -80,7 +83,7 @@ Foam::fractionDiffusivities::tableDiffusivity::rows
 Foam::fractionDiffusivities::tableDiffusivity::read
 (
     const dictionary& dict
-) const
+)
 {
     IFstream file(file_);
 
@@ -101,6 +104,22 @@ Foam::fractionDiffusivities::tableDiffusivity::read
         const auto comment = line.find('#');
         std::istringstream words(line.substr(0, comment));
         scalar fraction, D;
+
+        if (comment != std::string::npos)
+        {
+            std::istringstream said(line.substr(comment + 1));
+            std::string name;
+            scalar concentration;
+
+            if
+            (
+                said >> name && name == "concentration[mol/m3]"
+             && said >> concentration
+            )
+            {
+                concentration_ = concentration;
+            }
+        }
 
         if (words >> fraction)
         {
@@ -150,7 +169,9 @@ Foam::fractionDiffusivities::tableDiffusivity::tableDiffusivity
 )
 :
     fractionDiffusivity(dict, {"file"}),
-    file_(dict.get<fileName>("file", keyType::LITERAL).expand())
+    file_(dict.get<fileName>("file", keyType::LITERAL).expand()),
+    concentration_(0),
+    warned_(false)
 {
     rows table(1);
     const colloid::water water(matter.waterAt(0));
@@ -158,20 +179,62 @@ Foam::fractionDiffusivities::tableDiffusivity::tableDiffusivity
     (
         0,
         water.thermalEnergy()
-       /matter.newFriction("KozenyCarman", water)->value(0)
+       /matter.newFriction(water)->value(0)
     );
     table.append(read(dict));
 
     rows_.reset(new rows(table));
+    warnOfOther(water);
+}
+
+
+void Foam::fractionDiffusivities::tableDiffusivity::warnOfOther
+(
+    const colloid::water& solution
+) const
+{
+    if
+    (
+        !warned_ && concentration_ > 0
+     && mag(solution.concentration - concentration_)
+      > otherWater*concentration_
+    )
+    {
+        warned_ = true;
+        WarningInFunction
+            << file_ << " is of clay in water of " << concentration_
+            << " mol/m3; here it has " << solution.concentration << " mol/m3"
+            << nl << "    D of the table is used all the same" << nl << endl;
+    }
+}
+
+
+void Foam::fractionDiffusivities::tableDiffusivity::warnBeyond
+(
+    const scalar largest
+) const
+{
+    const auto& last = rows_->last();
+
+    if (largest > last.first())
+    {
+        WarningInFunction
+            << file_ << " ends at a solid fraction of " << last.first()
+            << "; up to " << largest << " are possible (packing in"
+            << " erosionProperties)" << nl
+            << "    Beyond its last row D is held at " << last.second()
+            << " m2/s" << nl << endl;
+    }
 }
 
 
 Foam::autoPtr<Foam::fractionDiffusivity::inWater>
 Foam::fractionDiffusivities::tableDiffusivity::at
 (
-    const colloid::water&
+    const colloid::water& solution
 ) const
 {
+    warnOfOther(solution);
     return autoPtr<inWater>(new betweenRows(rows_));
 }
 
