@@ -78,7 +78,7 @@ void Foam::clayFlux::decideGravity(const scalar tolerance)
     const colloid::water solution(matter_.waterAt(mesh_.time().value()));
     const colloid::platelet& clay = matter_.clay();
 
-    friction_ = matter_.newFriction("KozenyCarman", solution);
+    friction_ = matter_.newFriction(solution);
     weight_ = clay.volume()*(clay.density - solution.density)*g;
 
     scalar fastest = 0;
