@@ -99,7 +99,7 @@ TEST(HeleShaw, twoAperturesInSeriesAreExact)
 // T = g b^3/(12 nu)
 TEST(HeleShaw, transmissivityIsThatOfItsAperture)
 {
-    const scalar b = std::cbrt(12e-6*1e-5/9.81);
+    const scalar b = std::cbrt(12e-6*1e-5/9.80665);
 
     fracturePlane c;
     c.writePlaneField
@@ -113,7 +113,7 @@ TEST(HeleShaw, transmissivityIsThatOfItsAperture)
         flow->solve();
 
         // Head gradient 1/(2 g), width 1 m
-        EXPECT_NEAR(outflow(*flow), 1e-5/(2*9.81), 1e-14);
+        EXPECT_NEAR(outflow(*flow), 1e-5/(2*9.80665), 1e-14);
         EXPECT_NEAR
         (
             gMax(mag(flow->apertureRatio().primitiveField() - b/0.01)()),

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "erosionBracket.H"
+#include "physicalConstants.H"
 #include "error.H"
 
 #include <iomanip>
@@ -16,7 +17,7 @@ namespace
 
 using namespace Foam;
 
-constexpr scalar year = 31557600;
+using colloid::physicalConstants::year;
 
 
 // Four digits, right-aligned in a column

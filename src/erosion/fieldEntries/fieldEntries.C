@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "fieldEntries.H"
+#include "cubicLaw.H"
 #include "readInRange.H"
 
 #include "error.H"
@@ -17,8 +18,6 @@ namespace
 {
 
 using namespace Foam;
-
-constexpr scalar gravity = 9.80665;
 
 // Apertures of fractures [m]
 constexpr scalar narrowest = 1e-7;
@@ -137,9 +136,9 @@ Foam::scalar Foam::fieldEntries::apertureOfTransmissivity
     const colloid::water& solution
 )
 {
-    return std::cbrt
+    return colloid::apertureOf
     (
-        12*solution.viscosity/solution.density*transmissivity/gravity
+        transmissivity, solution.viscosity/solution.density
     );
 }
 

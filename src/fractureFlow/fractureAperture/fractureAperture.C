@@ -5,12 +5,10 @@
 
 #include "fractureAperture.H"
 #include "checkWords.H"
+#include "cubicLaw.H"
 #include "emptyPolyPatch.H"
 #include "readInRange.H"
 #include "zeroGradientFvPatchFields.H"
-
-// That of transmissivities measured as m2/s [m/s2]
-static constexpr Foam::scalar gravity = 9.81;
 
 
 void Foam::fractureAperture::findThickness()
@@ -221,8 +219,10 @@ Foam::fractureAperture::fractureAperture
     {
         read(coeffs, "transmissivity", dimViscosity, 1e-21, 1e9, "m2/s");
 
-        scalarField& b = aperture_.primitiveFieldRef();
-        b = pow(12*nuWater/gravity*b, 1./3);
+        for (scalar& b : aperture_.primitiveFieldRef())
+        {
+            b = colloid::apertureOf(b, nuWater);
+        }
     }
 
     aperture_.correctBoundaryConditions();

@@ -6,6 +6,7 @@
 #include "clayDiffusivity.H"
 #include "addToRunTimeSelectionTable.H"
 #include "checkWords.H"
+#include "functionObjectWords.H"
 #include "readInRange.H"
 #include "volFields.H"
 #include "zeroGradientFvPatchFields.H"
@@ -84,15 +85,10 @@ bool Foam::functionObjects::clayDiffusivity::read(const dictionary& dict)
     colloid::checkWords
     (
         dict,
-        wordList
+        functionObjectWords
         ({
             "methods", "fractions", "bins", "spacing", "margin", "pieces",
-            "equilibrium",
-            // Of all function objects
-            "type", "libs", "functionObjectLibs", "enabled", "log", "region",
-            "timeStart", "timeEnd", "executeControl", "executeInterval",
-            "writeControl", "writeInterval", "writePrecision", "writeToFile",
-            "useUserTime", "controlMode", "errors"
+            "equilibrium"
         })
     );
 

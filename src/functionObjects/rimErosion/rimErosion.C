@@ -9,10 +9,11 @@
 #include "erosionBracket.H"
 #include "fieldEntries.H"
 #include "fractionDiffusivity.H"
+#include "functionObjectWords.H"
 #include "keptNumbers.H"
+#include "physicalConstants.H"
 #include "readInRange.H"
 #include "surfaceFields.H"
-#include "wallDist.H"
 
 namespace Foam
 {
@@ -26,7 +27,7 @@ namespace functionObjects
 namespace
 {
 
-constexpr Foam::scalar year = 31557600;
+using Foam::colloid::physicalConstants::year;
 
 
 //- A dictionary in constant/
@@ -55,94 +56,91 @@ Foam::IOdictionary constantDictionary
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::functionObjects::rimErosion::readSource(const dictionary& dict)
-{
-    const dictionary& source = dict.subDict("source");
-    colloid::checkWords(source, wordList({"patch", "centre", "radius"}));
-
-    sourcePatch_ = -1;
-
-    if (source.found("patch") == source.found("centre"))
-    {
-        FatalIOErrorInFunction(source)
-            << "The source is a patch { patch <name>; } or a plug"
-            << " { centre <point>; radius <length>; }" << exit(FatalIOError);
-    }
-
-    if (source.found("centre"))
-    {
-        const vector centre(source.get<vector>("centre"));
-        const scalar radius = colloid::readInRange
-        (
-            source, "radius", 0, GREAT, "m"
-        );
-
-        distance_.reset
-        (
-            new volScalarField
-            (
-                IOobject("distance", time_.timeName(), mesh_),
-                mesh_,
-                dimensionedScalar(dimLength, Zero)
-            )
-        );
-        const auto fromEdge = [&](vector offset)
-        {
-            for (direction axis = 0; axis < 3; ++axis)
-            {
-                if (mesh_.solutionD()[axis] < 0)
-                {
-                    offset[axis] = 0;
-                }
-            }
-            return mag(offset) - radius;
-        };
-        forAll(mesh_.C(), celli)
-        {
-            distance_()[celli] = fromEdge(mesh_.C()[celli] - centre);
-        }
-        distance_->correctBoundaryConditions();
-        return;
-    }
-
-    const word patch(source.get<word>("patch"));
-    sourcePatch_ = mesh_.boundaryMesh().findPatchID(patch);
-
-    if (sourcePatch_ < 0)
-    {
-        colloid::checkChoice
-        (
-            source, "patch", patch, mesh_.boundaryMesh().names()
-        );
-    }
-    const wallDist fromPatch
-    (
-        mesh_, "meshWave", labelHashSet({sourcePatch_}), "source"
-    );
-    distance_.reset(new volScalarField("distance", fromPatch.y()));
-}
-
-
 void Foam::functionObjects::rimErosion::readBracket(const dictionary& dict)
 {
-    bracket_ = dict.subOrEmptyDict("bracket");
+    edge_.clear();
 
-    if (bracket_.empty())
+    if (!dict.found("bracket"))
     {
         return;
     }
+    const dictionary& bracket = dict.subDict("bracket");
 
     wordList words({"velocity", "length", "radius"});
     words.append(fieldEntries::fractionWords());
     words.append(fieldEntries::apertureWords());
-    colloid::checkWords(bracket_, words);
+    colloid::checkWords(bracket, words);
 
-    if (bracket_.found("length") == bracket_.found("radius"))
+    if (bracket.found("length") == bracket.found("radius"))
     {
-        FatalIOErrorInFunction(bracket_)
+        FatalIOErrorInFunction(bracket)
             << "The edge is straight, with a length, or round, with a radius"
             << exit(FatalIOError);
     }
+
+    const scalar aperture = fieldEntries::aperture
+    (
+        bracket,
+        colloid::clayProperties
+        (
+            constantDictionary(mesh_, "clayProperties")
+        ).waterAt(time_.value())
+    );
+    const scalar velocity = colloid::readInRange
+    (
+        bracket, "velocity", 1e-12, 1, "m/s"
+    );
+    const auto lengthOf = [&](const word& keyword)
+    {
+        return colloid::readInRange(bracket, keyword, 1e-9, 1e6, "m");
+    };
+    edge_.reset
+    (
+        new erosionBracket::edge
+        (
+            bracket.found("radius")
+          ? erosionBracket::edge::around
+            (
+                lengthOf("radius"), aperture, velocity
+            )
+          : erosionBracket::edge::straight
+            (
+                lengthOf("length"), aperture, velocity
+            )
+        )
+    );
+    edgeFraction_ = fieldEntries::solidFraction(bracket);
+}
+
+
+Foam::scalar Foam::functionObjects::rimErosion::concentrationAtSource() const
+{
+    const auto& c = lookupObject<volScalarField>("c");
+
+    scalar weighted = 0;
+    scalar size = 0;
+
+    if (sourcePatch_ >= 0)
+    {
+        const scalarField& area = mesh_.magSf().boundaryField()[sourcePatch_];
+        weighted = sum(area*c.boundaryField()[sourcePatch_]);
+        size = sum(area);
+    }
+    else
+    {
+        forAll(c, celli)
+        {
+            if (distance_()[celli] < 0)
+            {
+                weighted += mesh_.V()[celli]*c[celli];
+                size += mesh_.V()[celli];
+            }
+        }
+    }
+    reduce(weighted, sumOp<scalar>());
+    reduce(size, sumOp<scalar>());
+
+    return weighted/size;
 }
 
 
@@ -195,81 +193,6 @@ Foam::scalar Foam::functionObjects::rimErosion::leaving
 }
 
 
-Foam::Tuple2<Foam::scalar, Foam::scalar>
-Foam::functionObjects::rimErosion::front(const scalar fraction) const
-{
-    const auto& alpha = lookupObject<volScalarField>("alpha.clay");
-    const volScalarField& distance = distance_();
-
-    scalar farthest = 0;
-    scalar weighted = 0;
-    scalar area = 0;
-
-    const auto add =
-    [&](
-        const scalar alphaHere,
-        const scalar alphaThere,
-        const scalar here,
-        const scalar there,
-        const scalar faceArea
-    )
-    {
-        if ((alphaHere > fraction) != (alphaThere > fraction))
-        {
-            const scalar at =
-                here
-              + (there - here)*(alphaHere - fraction)/(alphaHere - alphaThere);
-
-            farthest = max(farthest, at);
-            weighted += faceArea*at;
-            area += faceArea;
-        }
-    };
-
-    forAll(mesh_.owner(), facei)
-    {
-        const label o = mesh_.owner()[facei];
-        const label n = mesh_.neighbour()[facei];
-
-        add
-        (
-            alpha[o], alpha[n], distance[o], distance[n],
-            mesh_.magSf()[facei]
-        );
-    }
-    forAll(alpha.boundaryField(), patchi)
-    {
-        const auto& patch = alpha.boundaryField()[patchi];
-
-        if (!patch.coupled())
-        {
-            continue;
-        }
-        // Seen from both sides
-        const scalarField here(patch.patchInternalField());
-        const scalarField there(patch.patchNeighbourField());
-        const auto& patchDistance = distance.boundaryField()[patchi];
-        const scalarField from(patchDistance.patchInternalField());
-        const scalarField to(patchDistance.patchNeighbourField());
-
-        forAll(here, i)
-        {
-            add
-            (
-                here[i], there[i], from[i], to[i],
-                0.5*mesh_.magSf().boundaryField()[patchi][i]
-            );
-        }
-    }
-
-    reduce(farthest, maxOp<scalar>());
-    reduce(weighted, sumOp<scalar>());
-    reduce(area, sumOp<scalar>());
-
-    return {farthest, area > 0 ? weighted/area : 0};
-}
-
-
 void Foam::functionObjects::rimErosion::keep() const
 {
     if (time_.writeTime() && !steady())
@@ -304,29 +227,23 @@ void Foam::functionObjects::rimErosion::writeBracket() const
     (
         constantDictionary(mesh_, "clayProperties")
     );
-    const colloid::water solution(matter.waterAt(time_.value()));
+    colloid::water solution(matter.waterAt(time_.value()));
+    const bool salted = foundObject<volScalarField>("c");
+
+    if (salted)
+    {
+        solution.concentration = concentrationAtSource();
+    }
+    Info<< nl << "At " << solution.concentration << " mol/m3, "
+        << (salted ? "the mean at the source now" : "as in clayProperties")
+        << endl;
+
     const auto model = fractionDiffusivity::New
     (
         constantDictionary(mesh_, "erosionProperties").subDict("diffusivity"),
         matter
     );
     const auto D = model->at(solution);
-
-    const scalar aperture = fieldEntries::aperture(bracket_, solution);
-    const scalar velocity = colloid::readInRange
-    (
-        bracket_, "velocity", 1e-12, 1, "m/s"
-    );
-    const auto lengthOf = [&](const word& keyword)
-    {
-        return colloid::readInRange(bracket_, keyword, 1e-9, 1e6, "m");
-    };
-    const erosionBracket::edge edge
-    (
-        bracket_.found("radius")
-      ? erosionBracket::edge::around(lengthOf("radius"), aperture, velocity)
-      : erosionBracket::edge::straight(lengthOf("length"), aperture, velocity)
-    );
 
     const erosionBracket bracket
     (
@@ -336,9 +253,9 @@ void Foam::functionObjects::rimErosion::writeBracket() const
             D->value(0),
             matter.viscosity(solution)
         ),
-        fieldEntries::solidFraction(bracket_)
+        edgeFraction_
     );
-    bracket.write(Info, edge, density_);
+    bracket.write(Info, edge_(), density_);
 }
 
 
@@ -354,6 +271,7 @@ Foam::functionObjects::rimErosion::rimErosion
     fvMeshFunctionObject(name, runTime, dict),
     writeFile(mesh_, name, name, dict),
     sourcePatch_(-1),
+    edgeFraction_(0),
     density_
     (
         colloid::clayProperties
@@ -403,6 +321,10 @@ bool Foam::functionObjects::rimErosion::read(const dictionary& dict)
     fvMeshFunctionObject::read(dict);
     writeFile::read(dict);
 
+    colloid::checkWords
+    (
+        dict, functionObjectWords({"source", "fractions", "bracket"})
+    );
     readSource(dict);
     readBracket(dict);
     fractions_ = dict.getOrDefault<scalarList>("fractions", scalarList());
@@ -430,7 +352,7 @@ bool Foam::functionObjects::rimErosion::write()
     const scalar clay = clayBeyond(-GREAT);
     const scalar imbalance =
         steady()
-      ? (supply - rate)/max(mag(supply), VSMALL)
+      ? (supply - rate)/max(max(mag(supply), mag(rate)), VSMALL)
       : (clay - clayAtStart_ - supplied_ + eroded_)
        /max(max(clayAtStart_, mag(supplied_)), VSMALL);
     const scalar extruded = clayBeyond(0);
@@ -455,7 +377,8 @@ bool Foam::functionObjects::rimErosion::write()
             << tab << clay << tab << imbalance;
         for (const scalar at : fronts)
         {
-            os  << tab << at;
+            os  << tab;
+            at == noFront ? os << "nan" : os << at;
         }
         os  << endl;
     }
@@ -465,7 +388,7 @@ bool Foam::functionObjects::rimErosion::write()
 
 bool Foam::functionObjects::rimErosion::end()
 {
-    if (!bracket_.empty())
+    if (edge_.valid())
     {
         writeBracket();
     }

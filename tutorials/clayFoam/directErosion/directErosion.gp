@@ -26,7 +26,7 @@ set title "loss by similarity: the same all along the edge, but for the parcels'
 set xlabel "x/L_x [-]"
 set ylabel "q_0 [-]"
 set xrange [0:1.05]
-set yrange [0.012:0.026]
+set yrange [0.01:0.026]
 set ytics 0.002
 set key bottom right maxrows 6
 plot C with lines lw 2 lc rgb 0 title "theory (C), D of the parcels", \

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "rimHistory.H"
+#include "physicalConstants.H"
 #include "checkWords.H"
 #include "fieldEntries.H"
 #include "readInRange.H"
@@ -22,7 +23,7 @@ namespace
 
 using namespace Foam;
 
-constexpr scalar year = 31557600;
+using colloid::physicalConstants::year;
 
 // First written time over the last one
 constexpr scalar firstTime = 1e-5;

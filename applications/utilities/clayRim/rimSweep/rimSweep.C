@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "rimSweep.H"
+#include "physicalConstants.H"
 #include "checkWords.H"
 #include "philox.H"
 #include "readInRange.H"
@@ -24,7 +25,7 @@ namespace
 
 using namespace Foam;
 
-constexpr scalar year = 31557600;
+using colloid::physicalConstants::year;
 
 struct knownInput
 {
