@@ -5,6 +5,7 @@
 
 #include "transportCase.H"
 #include "clayFlux.H"
+#include "simpson.H"
 
 #include <gtest/gtest.h>
 
@@ -318,16 +319,10 @@ TEST(clayFlux, isThatOfItsThreeTermsInEveryWaterAndAperture)
         water.concentration = at;
         const auto D = model->at(water);
 
-        const label n = 100;
-        const scalar h = (to - from)/n;
-        scalar sum = 0;
-        for (label i = 0; i <= n; ++i)
-        {
-            sum +=
-                (i == 0 || i == n ? 1 : i % 2 ? 4 : 2)*h/3
-               *D->value(from + i*h);
-        }
-        return sum;
+        return simpson
+        (
+            [&](const scalar a) { return D->value(a); }, from, to, 100
+        );
     };
     label nHindered = 0;
     const auto sinks = [&](const side& s, const scalar ratio)

@@ -10,6 +10,7 @@
 #include "rimSimilarity.H"
 #include "mathematicalConstants.H"
 #include "OFstream.H"
+#include "simpson.H"
 
 #include <gtest/gtest.h>
 
@@ -582,18 +583,21 @@ TEST(coexistence, solAndGelHaveThePressureAndPotentialOfEachOther)
         EXPECT_LT(phases.sol(), phases.lower());
         EXPECT_GT(phases.gel(), phases.upper());
 
-        // Both integrals by Simpson's rule in ln phi
-        const label n = 20000;
-        const scalar h = std::log(phases.gel()/phases.sol())/n;
-        scalar pressure = 0, size = 0, potential = 0;
-        for (label i = 0; i <= n; ++i)
+        // In ln phi
+        const auto integral = [&](const std::function<scalar(scalar)>& f)
         {
-            const scalar phi = phases.sol()*std::exp(i*h);
-            const scalar weight = (i == 0 || i == n ? 1 : i % 2 ? 4 : 2)*h/3;
-            pressure += weight*A(phi)*phi;
-            size += weight*mag(A(phi))*phi;
-            potential += weight*A(phi)/water.thermalEnergy();
-        }
+            return simpson
+            (
+                [&](const scalar s) { return f(std::exp(s)); },
+                std::log(phases.sol()), std::log(phases.gel()), 20000
+            );
+        };
+        const scalar pressure =
+            integral([&](const scalar phi) { return A(phi)*phi; });
+        const scalar size =
+            integral([&](const scalar phi) { return mag(A(phi))*phi; });
+        const scalar potential = integral(A)/water.thermalEnergy();
+
         Info<< "At " << concentration << " mol/m3 a sol of " << phases.sol()
             << " beside a gel of " << phases.gel() << endl;
         EXPECT_LT(mag(pressure)/size, 1e-6);

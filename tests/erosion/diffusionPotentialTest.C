@@ -5,6 +5,7 @@
 
 #include "diffusionPotential.H"
 #include "flowCase.H"
+#include "simpson.H"
 
 #include <gtest/gtest.h>
 
@@ -94,16 +95,10 @@ TEST(potentialInWater, isTheIntegralOfDToEitherSideOfThePhases)
 
     const auto integral = [&](const scalar from, const scalar to)
     {
-        const label n = 2000;
-        const scalar h = (to - from)/n;
-        scalar sum = 0;
-        for (label i = 0; i <= n; ++i)
-        {
-            sum +=
-                (i == 0 || i == n ? 1 : i % 2 ? 4 : 2)*h/3
-               *D->value(from + i*h);
-        }
-        return sum;
+        return simpson
+        (
+            [&](const scalar a) { return D->value(a); }, from, to, 2000
+        );
     };
     const scalar ofSol = integral(0, sol);
 

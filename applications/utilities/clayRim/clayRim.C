@@ -7,9 +7,9 @@ Application
 
 Description
     Erosion of a gel's edge by theory, in seconds: the bracket of rates, its
-    rims in full (rimProfiles.H), and where system/clayRimDict has an `expansion`, the gel that swells from a
-    hole up to the rim where it is taken (the two-region model). Needs
-    constant/ and system/, no mesh.
+    rims in full (rimProfiles.H), and where system/clayRimDict has an
+    `expansion`, the gel that swells from a hole up to the rim where it is
+    taken (the two-region model). Needs constant/ and system/, no mesh.
 
         clayRim -sweep      what uncertain inputs make of the rate
 

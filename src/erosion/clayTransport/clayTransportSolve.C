@@ -6,9 +6,7 @@
 #include "clayTransport.H"
 #include "zeroGradientFvPatchFields.H"
 
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
 
 void Foam::clayTransport::solveFor
 (

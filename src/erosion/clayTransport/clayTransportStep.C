@@ -205,9 +205,9 @@ bool Foam::clayTransport::shorten
     ++(solved ? nRepeated_ : nFailed_);
     alpha_.primitiveFieldRef() = old;
     alpha_.correctBoundaryConditions();
-    part *= solved ? min(max(growth, scalar(0.1)), scalar(0.7)) : 0.25;
 
     refuseAfter(40, nTries + 1, part, solved, error);
+    part *= solved ? min(max(growth, scalar(0.1)), scalar(0.7)) : 0.25;
     return true;
 }
 

@@ -128,9 +128,13 @@ Foam::scalar Foam::functionObjects::rimErosion::concentrationAtSource() const
     }
     else
     {
+        // Of a plug smaller than a cell that which is nearest
+        const scalar within =
+            max(gMin(distance_->primitiveField()), scalar(0));
+
         forAll(c, celli)
         {
-            if (distance_()[celli] < 0)
+            if (distance_()[celli] <= within)
             {
                 weighted += mesh_.V()[celli]*c[celli];
                 size += mesh_.V()[celli];

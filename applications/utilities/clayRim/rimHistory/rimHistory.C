@@ -4,9 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "rimHistory.H"
-#include "physicalConstants.H"
 #include "checkWords.H"
 #include "fieldEntries.H"
+#include "physicalConstants.H"
 #include "readInRange.H"
 
 #include "OFstream.H"

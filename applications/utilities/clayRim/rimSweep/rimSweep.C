@@ -4,9 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "rimSweep.H"
-#include "physicalConstants.H"
 #include "checkWords.H"
 #include "philox.H"
+#include "physicalConstants.H"
 #include "readInRange.H"
 #include "unitWords.H"
 
