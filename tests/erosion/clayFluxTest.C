@@ -579,3 +579,88 @@ TEST(clayFlux, withoutCorrectionIsByUpwindAroundTheCells)
     );
     EXPECT_GT(returnReduce(nNamed, sumOp<label>()), 0);
 }
+
+
+// A change that Newton's method asks for becomes that of what a cell holds and
+// passes on, with the integral of D, its neighbours being as they are; D grows by
+// decades within it
+TEST(clayFlux, changesCellsAsFarAsTheirDiffusivityAllows)
+{
+    const scalar w = 0.7;
+    const auto alpha = [](const vector& x) { return 1e-5*(1 + x.x() + x.y()); };
+
+    transportCase::texts text;
+    text.erosion = "diffusivity { model Liu; } gravity off;";
+    fluxCase f
+    (
+        rectangle(5, 4), {"left", "top"}, text, alpha,
+        [=](const vector&) { return w; }, nullptr, Zero
+    );
+    f.make();
+
+    // Area over distance of the faces through which clay diffuses
+    scalarField G(f.mesh.nCells(), Zero);
+    const surfaceScalarField none(f.evaluate());
+    const auto add = [&](const side& s, const scalar)
+    {
+        forAll(G, celli)
+        {
+            const vector& C = f.mesh.C()[celli];
+            for (const vector& one : {s.P, s.N})
+            {
+                G[celli] +=
+                    mag(C - one) < 1e-9 ? w*mag(s.S)/mag(s.N - s.P) : 0;
+            }
+        }
+    };
+    forInternalFaces(f.mesh, none, add);
+    forFacesOf("left", f.mesh, none, add);
+    forFacesOf("top", f.mesh, none, add);
+
+    const auto D = fractionDiffusivity::New
+    (
+        f.t.erosion.subDict("diffusivity"), f.t.matter
+    )->at(f.t.matter.waterAt(0));
+
+    const scalarField from(f.t.alpha->primitiveField());
+    scalarField holding(from.size());
+    scalarField wanted(from.size());
+    scalarField stiffness(from.size());
+    scalarField linearChange(from.size());
+
+    // What is held from a hundred times to a tenth of what diffuses, changes up
+    // and down
+    forAll(from, celli)
+    {
+        const scalar diffusing = G[celli]*D->value(from[celli]);
+        holding[celli] = diffusing*std::pow(10, 2 - (celli % 4));
+        linearChange[celli] = celli % 5 ? 0.02*(celli % 5) : -0.5*from[celli];
+        stiffness[celli] = holding[celli] + diffusing;
+        wanted[celli] = stiffness[celli]*linearChange[celli];
+    }
+
+    scalarField to(from);
+    f.flux->change(to, from, linearChange, stiffness);
+
+    scalar least = 1;
+    forAll(from, celli)
+    {
+        const scalar passedOn = G[celli]*simpson
+        (
+            [&](const scalar a) { return D->value(a); },
+            from[celli], to[celli], 2000
+        );
+
+        EXPECT_NEAR
+        (
+            (holding[celli]*(to[celli] - from[celli]) + passedOn)/wanted[celli],
+            1,
+            1e-3
+        );
+        least = min(least, (to[celli] - from[celli])/linearChange[celli]);
+    }
+    Info<< "Least share of a linear change " << least << endl;
+
+    // Somewhere it matters
+    EXPECT_LT(returnReduce(least, minOp<scalar>()), 0.5);
+}
