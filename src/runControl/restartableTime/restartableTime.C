@@ -386,6 +386,29 @@ bool Foam::restartableTime::writeExactState() const
 }
 
 
+void Foam::restartableTime::aimAtWriteTime()
+{
+    if (writeControl_ != wcAdjustableRunTime)
+    {
+        return;
+    }
+
+    const scalar left = max
+    (
+        scalar(0),
+        (writeTimeIndex_ + 1)*writeInterval_ - (value() - scheduleStart_)
+    );
+    const scalar steps = left/deltaT_;
+
+    if (steps < labelMax)
+    {
+        // As Time does: a step at least, of twice to a fifth of what is asked for
+        const scalar even = left/max(scalar(1), std::round(steps));
+        deltaT_ = min(max(even, 0.2*deltaT_), 2*deltaT_);
+    }
+}
+
+
 void Foam::restartableTime::purge() const
 {
     if (timesWritten_.empty() || timesWritten_.top() != timeName())
@@ -560,8 +583,15 @@ bool Foam::restartableTime::run() const
 
 void Foam::restartableTime::setDeltaT(const scalar deltaT, const bool adjust)
 {
-    const temporarily<scalar> anchor(startTime_, scheduleStart_);
-    Time::setDeltaT(deltaT, adjust);
+    Time::setDeltaT(deltaT, false);
+
+    if (adjust)
+    {
+        aimAtWriteTime();
+
+        // They count from the start of this run, here and when they write
+        const_cast<functionObjectList&>(functionObjects()).adjustTimeStep();
+    }
 }
 
 
