@@ -16,11 +16,6 @@ namespace
 
 constexpr int mostReflections = 16;
 
-bool lets(const wallRegions::region& region)
-{
-    return region.does == boundarySurface::action::platelet;
-}
-
 } // End namespace
 
 
@@ -34,11 +29,7 @@ void boundaryCrossings::list
     clearance_.clear();
     listed_.clear();
 
-    if
-    (
-        !walls.any(boundarySurface::action::reflect)
-     && !walls.any(boundarySurface::action::absorb)
-    )
+    if (walls.crossed().empty())
     {
         return;
     }
@@ -52,28 +43,24 @@ void boundaryCrossings::list
     for (const vector& x : listed_)
     {
         double nearest = reach*reach;
-        walls.tree().near
+        walls.crossed().near
         (
             x,
             nearest,
             [&](int regioni)
             {
                 const wallRegions::region& region = walls.regions()[regioni];
-                if (lets(region))
-                {
-                    return;
-                }
                 region.tree.near
                 (
                     x,
                     nearest,
                     [&](int item)
                     {
-                        const vector foot
+                        nearest = std::min
                         (
-                            walls.nearest(region.begin + item, x).point
+                            nearest,
+                            walls.distanceSquared(region.begin + item, x)
                         );
-                        nearest = std::min(nearest, (foot - x).squaredNorm());
                     }
                 );
             }
@@ -106,17 +93,13 @@ boundaryCrossings::outcome boundaryCrossings::follow
         way.include(x);
         way.include(x + left);
 
-        walls.tree().near
+        walls.crossed().near
         (
             way,
             2*tolerance_,
             [&](int regioni)
             {
                 const wallRegions::region& region = walls.regions()[regioni];
-                if (lets(region))
-                {
-                    return;
-                }
                 region.tree.near
                 (
                     way,

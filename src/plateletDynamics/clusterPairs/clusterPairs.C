@@ -260,6 +260,7 @@ void clusterPairs::build(const kernelPoints& points, double range)
         remove
         (
             points,
+            [](int) { return true; },
             [&](int k, int j)
             {
                 return

@@ -12,19 +12,6 @@
 namespace plateletDynamics
 {
 
-namespace
-{
-
-bool isRock(const wallRegions::region& region)
-{
-    return
-        region.opaque
-     && region.does != boundarySurface::action::absorb;
-}
-
-} // End namespace
-
-
 lineOfSight::lineOfSight
 (
     const wallRegions& walls,
@@ -37,11 +24,7 @@ lineOfSight::lineOfSight
     inFront_(points.size(), 1),
     clearance_(points.size(), 0)
 {
-    if
-    (
-        !walls.any(boundarySurface::action::platelet)
-     && !walls.any(boundarySurface::action::reflect)
-    )
+    if (walls.rock().empty())
     {
         return;
     }
@@ -64,28 +47,23 @@ double lineOfSight::clearance(const vector& x, double range) const
 {
     double nearest = range*range;
 
-    walls_.tree().near
+    walls_.rock().near
     (
         x,
         nearest,
         [&](int regioni)
         {
             const wallRegions::region& region = walls_.regions()[regioni];
-            if (!isRock(region))
-            {
-                return;
-            }
             region.tree.near
             (
                 x,
                 nearest,
                 [&](int item)
                 {
-                    const vector foot
+                    nearest = std::min
                     (
-                        walls_.nearest(region.begin + item, x).point
+                        nearest, walls_.distanceSquared(region.begin + item, x)
                     );
-                    nearest = std::min(nearest, (foot - x).squaredNorm());
                 }
             );
         }
@@ -102,7 +80,7 @@ bool lineOfSight::isInFront(const vector& x, double range) const
     // Negative once a triangle is found that x is behind: nothing is nearer
     double reach = range*range;
 
-    walls_.tree().near
+    walls_.rock().near
     (
         x,
         reach,
@@ -113,11 +91,8 @@ bool lineOfSight::isInFront(const vector& x, double range) const
             // A plane that x is in front of has no triangle that it is behind
             if
             (
-                !isRock(region)
-             || (
-                    region.planar
-                 && walls_.triangles()[region.begin].height(x) >= -tolerance
-                )
+                region.planar
+             && walls_.triangles()[region.begin].height(x) >= -tolerance
             )
             {
                 return;
@@ -136,8 +111,7 @@ bool lineOfSight::isInFront(const vector& x, double range) const
                     (
                         front
                      && t.height(x) < -tolerance
-                     && (walls_.nearest(number, x).point - x).squaredNorm()
-                     <= reach
+                     && walls_.distanceSquared(number, x) <= reach
                     )
                     {
                         front = false;
@@ -174,14 +148,14 @@ bool lineOfSight::interrupted(int i, int j) const
     line.include(x);
     line.include(y);
 
-    walls_.tree().near
+    walls_.rock().near
     (
         line,
         0,
         [&](int regioni)
         {
             const wallRegions::region& region = walls_.regions()[regioni];
-            if (found || !isRock(region))
+            if (found)
             {
                 return;
             }

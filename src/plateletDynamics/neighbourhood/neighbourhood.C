@@ -264,6 +264,7 @@ void neighbourhood::listWalls()
         pairs_.remove
         (
             points_,
+            [&](int k) { return !sight.isFree(k); },
             [&](int k, int j) { return sight.interrupted(k, j); }
         );
     }

@@ -28,6 +28,11 @@ surfaceTriangle::surfaceTriangle(const std::array<vector, 3>& c)
     {
         normal.setZero();
     }
+
+    for (int i = 0; i < 3; ++i)
+    {
+        intoFromEdge[i] = normal.cross(corners[(i + 1)%3] - corners[i]);
+    }
 }
 
 
@@ -44,8 +49,7 @@ surfaceTriangle::foot surfaceTriangle::nearest(const vector& x) const
         const vector edge(corners[(i + 1)%3] - a);
         const vector fromCorner(x - a);
 
-        // Into the triangle along its plane, normal to the edge
-        if (normal.cross(edge).dot(fromCorner) >= 0)
+        if (intoFromEdge[i].dot(fromCorner) >= 0)
         {
             continue;
         }
@@ -84,8 +88,7 @@ bool surfaceTriangle::contains(const vector& x, double tolerance) const
 
         if
         (
-            normal.cross(edge).dot(x - corners[i])
-          < -tolerance*edge.squaredNorm()
+            intoFromEdge[i].dot(x - corners[i]) < -tolerance*edge.squaredNorm()
         )
         {
             return false;

@@ -12,6 +12,17 @@
 namespace plateletDynamics
 {
 
+namespace
+{
+
+double square(double x)
+{
+    return x*x;
+}
+
+} // End namespace
+
+
 void wallForces::list
 (
     const wallRegions& walls,
@@ -32,21 +43,11 @@ void wallForces::list
         const vector& x = points.position[k];
         const std::size_t begin = entries_.size();
 
-        walls.tree().near
+        walls.pushing().near
         (
             x,
             reachSquared,
-            [&](int region)
-            {
-                if
-                (
-                    walls.regions()[region].does
-                 == boundarySurface::action::platelet
-                )
-                {
-                    listRegion(walls, region, x, reach, skin);
-                }
-            }
+            [&](int region) { listRegion(walls, region, x, reach, skin); }
         );
 
         if (entries_.size() > begin)
@@ -76,47 +77,43 @@ void wallForces::listRegion
 )
 {
     const wallRegions::region& r = walls.regions()[region];
-    const auto distanceSquared = [&](int triangle)
-    {
-        return (walls.nearest(triangle, x).point - x).squaredNorm();
-    };
-
-    double nearest = reach*reach;
-    bool found = false;
-    r.tree.near
-    (
-        x,
-        nearest,
-        [&](int item)
-        {
-            const double squared = distanceSquared(r.begin + item);
-            found = found || squared <= nearest;
-            nearest = std::min(nearest, squared);
-        }
-    );
-    if (!found)
-    {
-        return;
-    }
+    const std::size_t begin = candidates_.size();
 
     // What may become the nearest while the platelet moves half a skin
-    const double farthest = std::sqrt(nearest) + skin;
-    const std::size_t begin = candidates_.size();
-    const double farthestSquared = farthest*farthest;
-
+    double nearest = reach;
+    double farthestSquared = square(reach + skin);
     r.tree.near
     (
         x,
         farthestSquared,
         [&](int item)
         {
-            const double distance = std::sqrt(distanceSquared(r.begin + item));
-            if (distance <= farthest)
+            const double distance =
+                std::sqrt(walls.distanceSquared(r.begin + item, x));
+
+            candidates_.push_back({r.begin + item, distance});
+            if (distance < nearest)
             {
-                candidates_.push_back({r.begin + item, distance});
+                nearest = distance;
+                farthestSquared = square(nearest + skin);
             }
         }
     );
+
+    // Nothing within the reach leaves nothing
+    const auto isTooFar = [&](const candidate& c)
+    {
+        return nearest == reach || c.distance > nearest + skin;
+    };
+    candidates_.erase
+    (
+        std::remove_if(candidates_.begin() + begin, candidates_.end(), isTooFar),
+        candidates_.end()
+    );
+    if (candidates_.size() == begin)
+    {
+        return;
+    }
 
     std::sort
     (
@@ -324,8 +321,8 @@ void wallForces::addStiffness
             const double across =
                 force < 0 && distance > 0 ? force/distance : 0;
 
-            stiffness[k] +=
-                weight(true)*pairSprings(direction, 1, law.slope(gap), across);
+            pairSprings(direction, 1, law.slope(gap), across)
+               .addTo(stiffness[k], weight(true));
         }
     );
 }

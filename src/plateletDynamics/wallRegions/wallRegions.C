@@ -115,8 +115,6 @@ void wallRegions::collect()
         [](const triangle& a, const triangle& b) { return a.region < b.region; }
     );
 
-    std::vector<bounds> around;
-
     for (std::size_t begin = 0; begin < triangles_.size(); )
     {
         std::vector<bounds> triangleBounds;
@@ -151,7 +149,6 @@ void wallRegions::collect()
         }
 
         made.tree = boxTree(std::move(triangleBounds));
-        around.push_back(made.tree.around());
         regions_.push_back(std::move(made));
         begin = end;
     }
@@ -169,16 +166,20 @@ void wallRegions::collect()
         }
     }
 
-    tree_ = boxTree(std::move(around));
-}
+    using action = boundarySurface::action;
 
-
-bool wallRegions::any(boundarySurface::action does) const
-{
-    return std::any_of
+    pushing_ = someRegions
     (
-        regions_.begin(), regions_.end(),
-        [&](const region& r) { return r.does == does; }
+        regions_, [](const region& r) { return r.does == action::platelet; }
+    );
+    crossed_ = someRegions
+    (
+        regions_, [](const region& r) { return r.does != action::platelet; }
+    );
+    rock_ = someRegions
+    (
+        regions_,
+        [](const region& r) { return r.opaque && r.does != action::absorb; }
     );
 }
 
