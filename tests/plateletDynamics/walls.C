@@ -325,6 +325,53 @@ TEST(walls, letNoForceOfPairsThrough)
 }
 
 
+TEST(walls, ofOneSideLetNoForceOfPairsThrough)
+{
+    // As beside a layer behind the mesh: only those below are behind it, and
+    // clusters are of those above or of those below
+    boundarySurface sheet;
+    addSheet
+    (
+        sheet, vector(-5, -5, 0), vector(10, 0, 0), vector(0, 10, 0),
+        action::reflect, 6
+    );
+
+    const auto law = std::make_shared<repulsion>();
+    const auto forceOn = [&]
+    (
+        const boundarySurface& between,
+        const std::vector<double>& heights
+    )
+    {
+        platelets all;
+        for (const double z : heights)
+        {
+            for (int i = 0; i < 4; ++i)
+            {
+                all.append(all.size(), vector(0.1*(i % 2), 0.1*(i/2), z));
+                all.tag.back() = int(all.size()) - 1;
+            }
+        }
+        engine system(openSpace, between, law, settings(), MPI_COMM_WORLD);
+        system.load(share(all, sharing::dealt));
+        system.evaluate();
+        return gather(system.local(), system.local().force, int(all.size()));
+    };
+
+    const double height = 0.43*settings().cutOff;
+    const auto above = forceOn(sheet, {height});
+    const auto both = forceOn(sheet, {height, -height});
+    const auto without = forceOn({}, {height, -height});
+    EXPECT_GT((without[0] - above[0]).norm(), 1e-3);
+
+    for (int i = 0; i < 4; ++i)
+    {
+        EXPECT_LT((both[i] - above[i]).norm(), 1e-14);
+        EXPECT_LT((both[i + 4] - above[i]).norm(), 1e-14);
+    }
+}
+
+
 TEST(change, isAsIfItHadBeenSoFromTheStart)
 {
     // A rock whose image is too far away for the first cut-off
