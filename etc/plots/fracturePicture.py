@@ -29,6 +29,7 @@ parser.add_argument('out')
 parser.add_argument('--time', type=float)
 parser.add_argument('--box', type=float, nargs=4)
 parser.add_argument('--log', type=float)
+parser.add_argument('--high', type=float)
 parser.add_argument('--lines', type=int, default=30)
 parser.add_argument('--under', nargs=2, default=['alpha.clay', 'solid fraction alpha.clay [-]'])
 parser.add_argument('--mirror', action='store_true')
@@ -108,7 +109,7 @@ shown.Ambient, shown.Diffuse, shown.Specular = 1, 0, 0
 ColorBy(shown, ('CELLS', name))
 colour = GetColorTransferFunction(name)
 colour.ColorSpace = 'RGB'
-high = max(high, 1e-12)
+high = asked.high or max(high, 1e-12)
 # Water to gel
 shades = [(0.93, 0.96, 1), (0.98, 0.90, 0.70), (0.90, 0.62, 0.25), (0.60, 0.32, 0.10), (0.25, 0.11, 0.03)]
 if asked.log:

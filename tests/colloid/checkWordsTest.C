@@ -90,6 +90,35 @@ TEST(checkWords, namesFileAndLineOfTheMisspeltEntry)
 }
 
 
+TEST(checkWords, findsSlipsWhereAnyWordIsAllowed)
+{
+    const dictionary control(parse("deltaT 1; adjustTimeStep yes; maxFo 1; x 2;"));
+    const dictionary solution(parse("solvers {} erosion {} clayRim {}"));
+    EXPECT_NO_THROW(colloid::checkSpelling(control, solution));
+
+    const auto says = [&](const dictionary& c, const dictionary& s)
+    {
+        return messageOf([&] { colloid::checkSpelling(c, s); });
+    };
+    for (const char* wrong : {"adjustTimestep", "adjustTimStep", "AdjustTimeSteps"})
+    {
+        const std::string entry(std::string(wrong) + " yes;");
+        const std::string message(says(parse(entry.c_str()), solution));
+
+        EXPECT_TRUE(contains(message, wrong)) << message;
+        EXPECT_TRUE(contains(message, "did you mean 'adjustTimeStep'")) << message;
+    }
+    EXPECT_TRUE
+    (
+        contains(says(parse("maxdeltat 1;"), solution), "'maxDeltaT'")
+    );
+    EXPECT_TRUE
+    (
+        contains(says(control, parse("erosoin {}")), "did you mean 'erosion'")
+    );
+}
+
+
 TEST(checkWords, suggestsNothingThatIsAnotherWord)
 {
     EXPECT_EQ(colloid::nearestWord("xyzzy", words), word());

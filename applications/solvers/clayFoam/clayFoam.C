@@ -18,6 +18,7 @@ Description
     in filter lengths per step).
 \*---------------------------------------------------------------------------*/
 
+#include "checkWords.H"
 #include "clayCloud.H"
 #include "clayProperties.H"
 #include "costReport.H"
@@ -36,6 +37,8 @@ int main(int argc, char *argv[])
     #include "setRootCase.H"
     #include "createRestartableTime.H"
     #include "createMesh.H"
+
+    colloid::checkSpelling(runTime.controlDict(), mesh.solutionDict());
 
     const colloid::clayProperties matter(runTime);
     clayCloud clay(mesh, matter);

@@ -87,7 +87,9 @@ int main(int argc, char *argv[])
 {
     argList::addNote
     (
-        "Erosion of a gel's edge by theory, in seconds. Needs no mesh"
+        "Erosion of a gel's edge by theory, in seconds. Needs no mesh.\n"
+        "Reads system/clayRimDict (all entries: etc/caseDicts/clayRimDict) and\n"
+        "constant/clayProperties; writes postProcessing/clayRim/0."
     );
     argList::noParallel();
     argList::addBoolOption

@@ -162,6 +162,69 @@ void Foam::colloid::checkWords
 }
 
 
+void Foam::colloid::checkSpelling
+(
+    const dictionary& controlDict,
+    const dictionary& fvSolution
+)
+{
+    const auto check = [](const dictionary& dict, const UList<word>& words)
+    {
+        for (const entry& e : dict)
+        {
+            const word keyword(e.keyword());
+
+            // One letter of a short word is another word's
+            const std::size_t slips = keyword.size() < 6 ? 0 : 2;
+            const auto isNear = [&](const word& known)
+            {
+                return typingErrors(keyword, known) <= slips;
+            };
+
+            if
+            (
+                !e.keyword().isPattern()
+             && !words.found(keyword)
+             && std::any_of(words.begin(), words.end(), isNear)
+            )
+            {
+                refuse
+                (
+                    dict,
+                    &e,
+                    "Nothing reads this entry of " + dict.dictName() + ":",
+                    keyword,
+                    words
+                );
+            }
+        }
+    };
+
+    check
+    (
+        controlDict,
+        wordList
+        ({
+            "application", "startFrom", "startTime", "stopAt", "endTime",
+            "deltaT", "adjustTimeStep", "maxDeltaT", "maxCo", "maxDisplacement",
+            "writeControl", "writeInterval", "purgeWrite", "writeFormat", "writePrecision",
+            "writeCompression", "timeFormat", "timePrecision", "graphFormat",
+            "runTimeModifiable", "functions", "libs", "profiling",
+            "DebugSwitches", "InfoSwitches", "OptimisationSwitches"
+        })
+    );
+    check
+    (
+        fvSolution,
+        wordList
+        ({
+            "solvers", "relaxationFactors", "cache", "SIMPLE", "PIMPLE", "PISO",
+            "erosion", "HeleShaw", "Stokes", "potentialFlow"
+        })
+    );
+}
+
+
 void Foam::colloid::checkChoice
 (
     const dictionary& dict,

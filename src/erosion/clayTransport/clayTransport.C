@@ -69,6 +69,60 @@ void Foam::clayTransport::checkBounds() const
 }
 
 
+void Foam::clayTransport::reportWater
+(
+    const volScalarField* salt,
+    const colloid::clayProperties& matter
+) const
+{
+    colloid::water solution(matter.waterAt(mesh_.time().value()));
+    const auto inWater = [&](const scalar concentration)
+    {
+        solution.concentration = concentration;
+        const auto viscosity = matter.viscosity(solution);
+
+        Info<< "Water of " << concentration << " mol/m3: clay ";
+        viscosity.gels()
+      ? Info<< "stops flowing at a solid fraction of " << viscosity.gelFraction()
+      : Info<< "flows at any solid fraction";
+        Info<< endl;
+    };
+
+    if (salt)
+    {
+        // With what comes in
+        const scalar least = min(*salt).value();
+        const scalar most = max(*salt).value();
+
+        inWater(least);
+        if (most > least)
+        {
+            inWater(most);
+        }
+    }
+    else
+    {
+        inWater(solution.concentration);
+    }
+
+    for (const fvPatchScalarField& patch : alpha_.boundaryField())
+    {
+        if (patch.fixesValue())
+        {
+            const scalar least = returnReduce(min(patch), minOp<scalar>());
+            const scalar most = returnReduce(max(patch), maxOp<scalar>());
+
+            Info<< "    held at patch " << patch.patch().name() << ": " << least;
+            if (most > least)
+            {
+                Info<< " to " << most;
+            }
+            Info<< endl;
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::clayTransport::clayTransport
@@ -143,6 +197,8 @@ Foam::clayTransport::clayTransport
     }
     Info<< "residual " << residual_ << ", at most " << maxIterations_
         << " iterations of Newton's method" << endl;
+
+    reportWater(salt, matter);
 }
 
 

@@ -72,6 +72,10 @@ void Foam::erosionBracket::write
     }
 
     os  << nl
+        << "Formula 2-2: D of the edge all through the rim, water at full speed."
+        << " Rim (A):" << nl
+        << "the report's equations, which lose clay on the way; (C): the same,"
+        << " keeping it." << nl
         << "A bracket: measured erosion exceeds the theory without"
         << " flocculation by ten" << nl
         << "times or more (TR-17-13, 3.1.3)." << nl

@@ -225,6 +225,30 @@ void Foam::functionObjects::rimErosion::restore()
 }
 
 
+Foam::scalar Foam::functionObjects::rimErosion::waterSpeed() const
+{
+    const auto& alpha = lookupObject<volScalarField>("alpha.clay");
+    const auto& aperture = lookupObject<volScalarField>("apertureRatio");
+    const auto& U = lookupObject<volVectorField>("U");
+
+    scalar flow = 0;
+    scalar volume = 0;
+    forAll(alpha, celli)
+    {
+        if (alpha[celli] < 0.01*edgeFraction_)
+        {
+            const scalar V = mesh_.V()[celli]*aperture[celli];
+            flow += V*mag(U[celli]);
+            volume += V;
+        }
+    }
+    reduce(flow, sumOp<scalar>());
+    reduce(volume, sumOp<scalar>());
+
+    return volume > 0 ? flow/volume : -1;
+}
+
+
 void Foam::functionObjects::rimErosion::writeBracket() const
 {
     const colloid::clayProperties matter
@@ -260,6 +284,24 @@ void Foam::functionObjects::rimErosion::writeBracket() const
         edgeFraction_
     );
     bracket.write(Info, edge_(), density_);
+
+    const scalar u0 = edge_().velocity;
+    const scalar speed = waterSpeed();
+
+    Info<< "This run: " << leaving(false)*year << " kg/a";
+    if (speed >= 0)
+    {
+        Info<< ", water without clay flows at " << speed << " m/s in the mean";
+    }
+    Info<< nl << endl;
+
+    if (speed >= 0 && (speed > 5*u0 || speed < u0/5))
+    {
+        WarningInFunction
+            << "The bracket is not of the water of this run: its velocity is "
+            << u0 << " m/s," << nl << "    that of the run "
+            << speed << " m/s in the mean where there is no clay" << endl;
+    }
 }
 
 
@@ -288,7 +330,10 @@ Foam::functionObjects::rimErosion::rimErosion
     clayAtStart_(-1)
 {
     read(dict);
-    restore();
+    if (!steady())
+    {
+        restore();
+    }
 
     if (clayAtStart_ < 0 && foundObject<volScalarField>("alpha.clay"))
     {

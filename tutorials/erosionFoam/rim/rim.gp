@@ -15,11 +15,11 @@ array at[5] = [0.0003, 0.001, 0.0025, 0.005, 0.009]
 shade(k) = word("#a6cee3 #6fb1d8 #3f8fc5 #0b4f94 #062a5e", k)
 name(k) = sprintf("%.2g mm", 1e3*at[k])
 
-set multiplot layout 1, 3 margins 0.065, 0.985, 0.12, 0.92 spacing 0.075, 0.1
+set multiplot layout 1, 3 margins 0.06, 0.985, 0.12, 0.92 spacing 0.085, 0.1
 set grid lt 1 lw 1 lc rgb "#e4e4e4"
 set key opaque bottom left samplen 2.5 spacing 1.15
 
-set title "solid fraction above the gel"
+set title "solid fraction above the gel, with diffusion along x"
 set xlabel "distance from the gel [mm]"
 set ylabel "alpha.clay/0.0054 [-]"
 set xrange [0:1.3]
@@ -29,7 +29,7 @@ plot for [k = 1:5] profile(at[k]) using ($2*1e3):($3/edge) \
     with lines lw 2.5 lc rgb shade(k) title name(k)
 
 set title "the same over the similarity coordinate"
-set xlabel "z = y/2(D_0x/u_0)^{1/2} [-]"
+set xlabel "z = y/(2(D_0x/u_0)^{1/2}) [-]"
 set xrange [0:8]
 set key bottom left
 plot for [k = 1:5] profile(at[k]) using (z($1, $2)):($3/edge) \
@@ -37,11 +37,11 @@ plot for [k = 1:5] profile(at[k]) using (z($1, $2)):($3/edge) \
 
 set title "what the edge has lost up to x"
 set xlabel "distance along the edge x [mm]"
-set ylabel "q_0 = N/{/Symbol r}{/Symbol d}(D_0u_0x)^{1/2} [-]"
+set ylabel "q_0 = N/({/Symbol r}{/Symbol d}(D_0u_0x)^{1/2}) [-]" offset 1
 set logscale x
 set xrange [0.04:10]
-set yrange [0.004:0.026]
-set key notitle bottom right
+set yrange [0:0.026]
+set key notitle bottom right font ",11" samplen 2
 plot 0.019867 with lines dt 2 lw 2 lc rgb "#999999" title "theory (A), as printed", \
     0.012028 with lines dt 1 lw 2 lc rgb "#000000" title "theory (C), conservative", \
     "runs/boundaryLayer/loss.dat" using ($1*1e3):2 with lines lw 2.5 lc rgb "#E69F00" title "imposed flow, clean at x = 0", \

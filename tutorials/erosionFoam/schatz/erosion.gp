@@ -9,9 +9,10 @@ set output "plots/erosion.png"
 measured = system("ls data/*.dat 2>/dev/null")
 rest = 1e-8                   # where water at rest is drawn [m/s]
 place(u) = u > 0 ? u : rest
+hours = system("sed -n 's/^# until \\([0-9]*\\) h.*/\\1/p' erosion.dat")
 CCC = 76.24                   # [mol/m3], of the default platelet
 
-set multiplot layout 1, 2 margins 0.06, 0.985, 0.115, 0.93 spacing 0.17, 0.1
+set multiplot layout 1, 2 margins 0.075, 0.985, 0.115, 0.93 spacing 0.17, 0.1
 set grid lt 1 lw 1 lc rgb "#e4e4e4"
 set logscale x
 set format x "10^{%T}"
@@ -20,7 +21,7 @@ set xtics ("at rest" rest, "10^{-7}" 1e-7, "10^{-6}" 1e-6, "10^{-5}" 1e-5)
 set xlabel "velocity of the water [m/s]"
 set logscale y
 
-set title "share of the plug that is eroded"
+set title "share of the plug that is eroded in ".hours." h"
 set ylabel "concentration of the cation [mol/m^3]"
 set yrange [0.03:2000]
 set palette defined (0 "#deebf7", 0.25 "#9ecae1", 0.5 "#fdae6b", 0.75 "#d94801", 1 "#7f2704")
@@ -35,7 +36,7 @@ plot "erosion.dat" using (place($2)):($4 > 0.001 ? $1 : NaN):4 with points pt 7 
 
 unset arrow 1
 unset label 1
-set title "mean rate of the time until 720 h"
+set title "mean rate of these ".hours." h"
 set ylabel "erosion [mg/h]"
 set yrange [1e-3:10]
 set format y "10^{%T}"

@@ -27,4 +27,5 @@ plot for [k = 2:4] "runs/hole-Liu/fronts.dat" using (sqrt($1)):k \
     for [k = 2:4] $Liu using (sqrt($1)):k with points pt 2 ps 1.6 lw 2 lc rgb shade(k) notitle, \
     for [k = 2:4] "runs/hole-constant/fronts.dat" using (sqrt($1)):k \
         with lines dt 2 lw 2.5 lc rgb shade(k) title "0.3e-9 m^2/s, ".name(k), \
+    NaN with points pt 2 ps 1.6 lw 2 lc rgb "#555555" title "reference (README.md)", \
     for [k = 2:4] $constant using (sqrt($1)):k with points pt 2 ps 1.6 lw 2 lc rgb shade(k) notitle

@@ -78,6 +78,10 @@ void Foam::rimSweep::write(const fileName& directory, Ostream& os) const
         line<< std::left << std::setw(14) << i.name << std::right
             << column(i.lower) << column(i.upper) << column(b.lower)
             << column(b.upper) << ' ' << i.unit;
+        if (b.lower > 0 && b.upper > 0 && base_ > max(b.lower, b.upper))
+        {
+            line<< ", most in between";
+        }
         os  << line.str().c_str() << nl;
 
         tornado()
