@@ -25,23 +25,6 @@ struct choice
 };
 
 
-//- Of this processor: a name stands for the best up to it
-std::vector<std::string> allInstructions()
-{
-    using plateletDynamics::vectorLoops;
-
-    std::vector<std::string> all{"best"};
-    for (const std::string name : {"AVX-512", "AVX2", "SSE4", "SSSE3", "plain"})
-    {
-        if (vectorLoops::choose(name).name == name)
-        {
-            all.push_back(name);
-        }
-    }
-    return all;
-}
-
-
 //- 1e-12: a sum of some hundred terms in another order. Tables: a tolerance of
 //  1e-5 for each pair, of which the largest do not add up
 std::vector<choice> allChoices()

@@ -105,6 +105,28 @@ TEST(stiffness, boundsTheFastestDecayByAtMostTwice)
 }
 
 
+TEST(stiffness, isTheSameWithAllInstructions)
+{
+    const periodicBox space(cube(6, true, true, false));
+    const platelets all(scatter(400, vector(6, 6, 6)));
+    const auto law = std::make_shared<repulsion>(6);
+
+    auto chosen = settings();
+    double first = -1;
+    for (const std::string& instructions : allInstructions())
+    {
+        chosen.instructions = instructions;
+        engine system(space, {}, law, chosen, MPI_COMM_WORLD);
+        system.load(share(all, sharing::dealt));
+        const double found = system.stiffness();
+
+        first = first < 0 ? found : first;
+        EXPECT_NEAR(found/first, 1, 1e-12) << instructions;
+    }
+    EXPECT_GT(first, 1);
+}
+
+
 TEST(stiffness, isExactBetweenHeldPlatelets)
 {
     // A wall and a fixed platelet do not move: F'/xi of each

@@ -120,9 +120,41 @@ std::size_t prune
 }
 
 
+void inRange
+(
+    const clusterPlaces* place,
+    int cluster,
+    float rangeSquared,
+    const int* partner,
+    std::size_t count,
+    std::uint16_t* mask
+)
+{
+    const clusterPlaces& own = place[cluster];
+
+    for (std::size_t n = 0; n < count; ++n)
+    {
+        const clusterPlaces& other = place[partner[n]];
+        mask[n] = 0;
+
+        for (int i = 0; i < clusterSize; ++i)
+        {
+            for (int j = 0; j < clusterSize; ++j)
+            {
+                const float dx = difference(own.x[i], other.x[j]);
+                const float dy = difference(own.y[i], other.y[j]);
+                const float dz = difference(own.z[i], other.z[j]);
+                mask[n] |=
+                    dx*dx + dy*dy + dz*dz < rangeSquared ? laneBit(i, j) : 0;
+            }
+        }
+    }
+}
+
+
 vectorLoops loops()
 {
-    return {"plain", 0, {}, search, prune};
+    return {"plain", 0, {}, search, prune, inRange};
 }
 
 #else
@@ -791,6 +823,35 @@ std::size_t prune
 }
 
 
+void inRange
+(
+    const clusterPlaces* place,
+    int cluster,
+    float rangeSquared,
+    const int* partner,
+    std::size_t count,
+    std::uint16_t* mask
+)
+{
+    const floats d;
+    const ownPlaces own(place[cluster]);
+    const auto range = hn::Set(d, rangeSquared);
+
+    for (std::size_t n = 0; n < count; ++n)
+    {
+        unsigned bits = 0;
+        for (int p = 0; p < parts; ++p)
+        {
+            const displacements apart(own, p, place[partner[n]]);
+            std::uint8_t bytes[8] = {};
+            hn::StoreMaskBits(d, hn::Lt(apart.squared(), range), bytes);
+            bits |= (bytes[0] | unsigned(bytes[1]) << 8) << (p*lanes);
+        }
+        mask[n] = std::uint16_t(bits);
+    }
+}
+
+
 vectorLoops loops()
 {
     return
@@ -802,7 +863,8 @@ vectorLoops loops()
             addForces<8>
         },
         search,
-        prune
+        prune,
+        inRange
     };
 }
 
