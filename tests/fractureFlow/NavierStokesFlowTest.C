@@ -368,6 +368,37 @@ TEST(NavierStokes, steadyFlowRoundGelIsThatOfStokes)
 }
 
 
+// Gel amid the water, free to move, in steps of five viscous times
+TEST(NavierStokes, divergenceEndsWithAWayOut)
+{
+    boxSpec spec = channel(16);
+    spec.solution = fvSolutionOf(1, 3);
+    flowCase c(spec);
+    auto flow = channelWithGel(c, "NavierStokes");
+    c.setViscosity
+    (
+        [](const vector& x)
+        {
+            return sqr(x.x() - 1) + sqr(x.y() - 0.5) < 0.04 ? 1e6 : 1;
+        }
+    );
+    c.time().setEndTime(1e9);
+
+    const string message = messageOf
+    (
+        [&]()
+        {
+            for (label i = 0; i < 200; ++i)
+            {
+                advance(c, *flow, 5e6);
+            }
+        }
+    );
+    EXPECT_TRUE(mentions(message, {"diverges", "Courant", "Stokes", "HeleShaw"}))
+        << message;
+}
+
+
 TEST(NavierStokes, wrongInputIsRefused)
 {
     flowCase c(periodicChannel(4));

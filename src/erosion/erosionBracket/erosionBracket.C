@@ -4,6 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "erosionBracket.H"
+#include "fieldEntries.H"
+#include "readInRange.H"
 
 #include "mathematicalConstants.H"
 
@@ -63,6 +65,47 @@ Foam::erosionBracket::edge Foam::erosionBracket::edge::straight
 )
 {
     return {aperture, velocity, length, 1};
+}
+
+
+Foam::wordList Foam::erosionBracket::edge::words()
+{
+    wordList words({"velocity", "radius", "length"});
+    words.append(fieldEntries::apertureWords());
+    return words;
+}
+
+
+Foam::erosionBracket::edge Foam::erosionBracket::edge::of
+(
+    const dictionary& dict,
+    const colloid::water& solution
+)
+{
+    const bool isHole = dict.found("radius", keyType::LITERAL);
+
+    if (isHole == dict.found("length", keyType::LITERAL))
+    {
+        FatalIOErrorInFunction(dict)
+            << (isHole ? "Both radius and" : "Neither radius nor")
+            << " length in " << dict.dictName() << nl
+            << "Valid: either  radius  of the gel around a hole, or  length"
+            << "  of a straight edge" << nl
+            << exit(FatalIOError);
+    }
+
+    const scalar aperture = fieldEntries::aperture(dict, solution);
+    const scalar velocity =
+        colloid::readInRange(dict, "velocity", 1e-14, 1, "m/s");
+    const auto lengthOf = [&](const word& keyword)
+    {
+        return colloid::readInRange(dict, keyword, 1e-9, 1e6, "m");
+    };
+
+    return
+        isHole
+      ? around(lengthOf("radius"), aperture, velocity)
+      : straight(lengthOf("length"), aperture, velocity);
 }
 
 

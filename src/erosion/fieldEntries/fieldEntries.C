@@ -19,11 +19,6 @@ namespace
 
 using namespace Foam;
 
-// Apertures of fractures [m]
-constexpr scalar narrowest = 1e-7;
-constexpr scalar widest = 1;
-
-
 // True for the first of two ways to give a quantity. FatalIOError unless it is
 // given in one of them
 bool isFirstWay
@@ -151,12 +146,25 @@ Foam::scalar Foam::fieldEntries::aperture
 {
     if (isFirstWay(dict, "aperture", "transmissivity", "transmissivity"))
     {
-        return
-            colloid::readInRange(dict, "aperture", narrowest, widest, "m");
+        return colloid::readInRange
+        (
+            dict,
+            "aperture",
+            colloid::narrowestFracture,
+            colloid::widestFracture,
+            "m"
+        );
     }
 
-    const scalar transmissivity =
-        colloid::readInRange(dict, "transmissivity", 1e-14, 10, "m2/s");
+    const scalar nu = solution.viscosity/solution.density;
+    const scalar transmissivity = colloid::readInRange
+    (
+        dict,
+        "transmissivity",
+        colloid::transmissivityOf(colloid::narrowestFracture, nu),
+        colloid::transmissivityOf(colloid::widestFracture, nu),
+        "m2/s"
+    );
     const scalar aperture = apertureOfTransmissivity(transmissivity, solution);
 
     Info<< "transmissivity " << transmissivity << " m2/s read as aperture "

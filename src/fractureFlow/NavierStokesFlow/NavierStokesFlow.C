@@ -163,6 +163,29 @@ void Foam::fractureFlows::NavierStokesFlow::reportContinuity()
 }
 
 
+void Foam::fractureFlows::NavierStokesFlow::refuseDivergence() const
+{
+    constexpr scalar farTooMany = 1000;
+
+    const scalar Courant =
+        0.5*mesh().time().deltaTValue()
+       *gMax(fvc::surfaceSum(mag(phi()))().primitiveField()/mesh().V());
+
+    // Not a number is not less either
+    if (!(Courant < farTooMany))
+    {
+        FatalErrorInFunction
+            << "NavierStokes diverges: in a step of "
+            << mesh().time().deltaTValue() << " s water passes " << Courant
+            << " cells (Courant number)" << nl
+            << "    It is as stable as PIMPLE. Of gel that is free to move, and"
+            << " of creeping flow in long steps," << nl
+            << "    model Stokes or HeleShaw is the one; of flow with inertia,"
+            << " take a shorter deltaT" << exit(FatalError);
+    }
+}
+
+
 void Foam::fractureFlows::NavierStokesFlow::solve()
 {
     const StokesSystem system(nu(), U(), Zero);
@@ -195,5 +218,6 @@ void Foam::fractureFlows::NavierStokesFlow::solve()
         }
     }
 
+    refuseDivergence();
     reportContinuity();
 }

@@ -213,11 +213,27 @@ Foam::fractureAperture::fractureAperture
 
     if (byAperture)
     {
-        read(coeffs, "aperture", dimLength, 1e-9, 10, "m");
+        read
+        (
+            coeffs,
+            "aperture",
+            dimLength,
+            colloid::narrowestFracture,
+            colloid::widestFracture,
+            "m"
+        );
     }
     else
     {
-        read(coeffs, "transmissivity", dimViscosity, 1e-21, 1e9, "m2/s");
+        read
+        (
+            coeffs,
+            "transmissivity",
+            dimViscosity,
+            colloid::transmissivityOf(colloid::narrowestFracture, nuWater),
+            colloid::transmissivityOf(colloid::widestFracture, nuWater),
+            "m2/s"
+        );
 
         for (scalar& b : aperture_.primitiveFieldRef())
         {

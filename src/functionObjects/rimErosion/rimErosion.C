@@ -12,7 +12,6 @@
 #include "functionObjectWords.H"
 #include "keptNumbers.H"
 #include "physicalConstants.H"
-#include "readInRange.H"
 #include "surfaceFields.H"
 
 namespace Foam
@@ -66,46 +65,21 @@ void Foam::functionObjects::rimErosion::readBracket(const dictionary& dict)
     }
     const dictionary& bracket = dict.subDict("bracket");
 
-    wordList words({"velocity", "length", "radius"});
+    wordList words(erosionBracket::edge::words());
     words.append(fieldEntries::fractionWords());
-    words.append(fieldEntries::apertureWords());
     colloid::checkWords(bracket, words);
 
-    if (bracket.found("length") == bracket.found("radius"))
-    {
-        FatalIOErrorInFunction(bracket)
-            << "The edge is straight, with a length, or round, with a radius"
-            << exit(FatalIOError);
-    }
-
-    const scalar aperture = fieldEntries::aperture
-    (
-        bracket,
-        colloid::clayProperties
-        (
-            constantDictionary(mesh_, "clayProperties")
-        ).waterAt(time_.value())
-    );
-    const scalar velocity = colloid::readInRange
-    (
-        bracket, "velocity", 1e-12, 1, "m/s"
-    );
-    const auto lengthOf = [&](const word& keyword)
-    {
-        return colloid::readInRange(bracket, keyword, 1e-9, 1e6, "m");
-    };
     edge_.reset
     (
         new erosionBracket::edge
         (
-            bracket.found("radius")
-          ? erosionBracket::edge::around
+            erosionBracket::edge::of
             (
-                lengthOf("radius"), aperture, velocity
-            )
-          : erosionBracket::edge::straight
-            (
-                lengthOf("length"), aperture, velocity
+                bracket,
+                colloid::clayProperties
+                (
+                    constantDictionary(mesh_, "clayProperties")
+                ).waterAt(time_.value())
             )
         )
     );

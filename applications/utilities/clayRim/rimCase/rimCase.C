@@ -5,7 +5,6 @@
 
 #include "rimCase.H"
 #include "checkWords.H"
-#include "fieldEntries.H"
 #include "readInRange.H"
 
 #include "error.H"
@@ -23,43 +22,11 @@ erosionBracket::edge edgeOf
     const colloid::water& solution
 )
 {
-    wordList words(fieldEntries::apertureWords());
-    words.append(wordList
-    ({
-        "velocity", "radius", "length", "edgeFraction", "expansion", "sweep"
-    }));
+    wordList words(erosionBracket::edge::words());
+    words.append(wordList({"edgeFraction", "expansion", "sweep"}));
     colloid::checkWords(dict, words);
 
-    const bool isHole = dict.found("radius", keyType::LITERAL);
-
-    if (isHole == dict.found("length", keyType::LITERAL))
-    {
-        FatalIOErrorInFunction(dict)
-            << (isHole ? "Both radius and" : "Neither radius nor")
-            << " length in " << dict.dictName() << nl
-            << "Valid: either  radius  of the gel around a hole, or  length"
-            << "  of a straight edge" << nl
-            << exit(FatalIOError);
-    }
-
-    const scalar aperture = fieldEntries::aperture(dict, solution);
-    const scalar velocity =
-        colloid::readInRange(dict, "velocity", 1e-14, 10, "m/s");
-
-    return
-        isHole
-      ? erosionBracket::edge::around
-        (
-            colloid::readInRange(dict, "radius", 1e-6, 1e4, "m"),
-            aperture,
-            velocity
-        )
-      : erosionBracket::edge::straight
-        (
-            colloid::readInRange(dict, "length", 1e-6, 1e5, "m"),
-            aperture,
-            velocity
-        );
+    return erosionBracket::edge::of(dict, solution);
 }
 
 const wordList lossNames
