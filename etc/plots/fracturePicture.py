@@ -4,12 +4,13 @@
 fraction with streamlines of the water over it.
 
 usage: etc/plots/pvrun pvpython etc/plots/fracturePicture.py CASE OUT.png
-           [--time T] [--box X0 X1 Y0 Y1] [--log LEAST] [--lines N]
-           [--under FIELD TITLE] [--mirror]
+           [--time T] [--box X0 X1 Y0 Y1] [--log LEAST] [--high MOST]
+           [--lines N] [--under FIELD TITLE] [--mirror]
 
     --time   another time than the last [s]
     --box    what is drawn [m], instead of all of the mesh
     --log    a logarithmic scale from this value on
+    --high   the end of the scale; without: the largest value
     --lines  number of streamlines (30); they start evenly along the side that
              the water comes from
     --under  another field instead of alpha.clay, with its title
