@@ -333,6 +333,28 @@ TEST(restartableTime, continuesStepsToTheLastBit)
 }
 
 
+TEST(restartableTime, aimsAtWriteTimesAsTimeDoes)
+{
+    // 0.5 s to the next
+    const temporaryCase here;
+    restartableTime runTime(timeOf(here));
+    Time plain
+    (
+        Time::controlDictName, here.global().path(), here.caseName(),
+        "system", "constant", false, false
+    );
+
+    for (const scalar asked : {0.09, 0.3, 0.35, 0.34, 0.5, 1., 2.4, 4., 1e-3})
+    {
+        runTime.setDeltaT(asked);
+        plain.setDeltaT(asked);
+        EXPECT_EQ(runTime.deltaTValue(), plain.deltaTValue()) << asked;
+        runTime.setDeltaT(asked, false);
+        EXPECT_EQ(runTime.deltaTValue(), asked);
+    }
+}
+
+
 TEST(restartableTime, continuesAnywhereAsIfNeverStopped)
 {
     const temporaryCase whole;

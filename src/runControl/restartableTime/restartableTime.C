@@ -402,9 +402,9 @@ void Foam::restartableTime::aimAtWriteTime()
 
     if (steps < labelMax)
     {
-        // As Time does: a step at least, of twice to a fifth of what is asked for
-        const scalar even = left/max(scalar(1), std::round(steps));
-        deltaT_ = min(max(even, 0.2*deltaT_), 2*deltaT_);
+        // As Time does: so many equal steps, at least one, and none shorter than
+        // a fifth of what is asked for
+        deltaT_ = max(left/max(scalar(1), std::round(steps)), 0.2*deltaT_);
     }
 }
 
