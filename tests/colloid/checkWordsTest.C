@@ -92,7 +92,14 @@ TEST(checkWords, namesFileAndLineOfTheMisspeltEntry)
 
 TEST(checkWords, findsSlipsWhereAnyWordIsAllowed)
 {
-    const dictionary control(parse("deltaT 1; adjustTimeStep yes; maxFo 1; x 2;"));
+    const dictionary control
+    (
+        parse
+        (
+            "deltaT 1; adjustTimeStep yes; maxFo 1; x 2; deltaT0 1; endTime1 2;"
+            "deltaX 3; minDeltaT 4; functions_ {} functionsOff {}"
+        )
+    );
     const dictionary solution(parse("solvers {} erosion {} clayRim {}"));
     EXPECT_NO_THROW(colloid::checkSpelling(control, solution));
 
@@ -100,7 +107,7 @@ TEST(checkWords, findsSlipsWhereAnyWordIsAllowed)
     {
         return messageOf([&] { colloid::checkSpelling(c, s); });
     };
-    for (const char* wrong : {"adjustTimestep", "adjustTimStep", "AdjustTimeSteps"})
+    for (const char* wrong : {"adjustTimestep", "adjustTimStep", "AdjustTimeSteps", "adjustTiemStep"})
     {
         const std::string entry(std::string(wrong) + " yes;");
         const std::string message(says(parse(entry.c_str()), solution));

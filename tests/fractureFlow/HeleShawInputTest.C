@@ -51,6 +51,9 @@ TEST(HeleShawInput, aperturesThatCannotBeAreRefused)
         {"aperture missing;", {"missing", "neither in", "decomposePar"}},
         {"aperture T;", {"T", "[0 2 -1 0 0 0 0]", "[0 1 0 0 0 0 0]"}},
         {"aperture b;", {"Impossible aperture", "field b", "from 0"}},
+        {"aperture 0.11;", {"Impossible aperture 0.11", "to 0.1"}},
+        // g b^3/(12 nu) of 0.1 m
+        {"transmissivity 818;", {"Impossible transmissivity 818", "to 817.22"}},
         {"transmissivity b;", {"[0 1 0 0 0 0 0]", "[0 2 -1 0 0 0 0]"}}
     };
 

@@ -156,6 +156,46 @@ TEST(stiffness, isExactBetweenHeldPlatelets)
 }
 
 
+TEST(stiffness, isThatOfTheSpringsAmidFixedPlatelets)
+{
+    // In general directions, with each coupling of two axes the strongest once
+    const auto law = std::make_shared<repulsion>(6);
+    const vector diagonals[] =
+        {vector(1, 0.9, 0.2), vector(0.9, -0.2, -1), vector(0.1, 1, 0.8)};
+
+    for (const vector& diagonal : diagonals)
+    {
+        platelets all;
+        all.append(0, vector::Zero());
+        all.append(1, 0.5*diagonal.normalized());
+        all.append(2, -0.55*diagonal.normalized());
+        all.append(3, 0.7*vector(0.3, -0.5, 0.9).normalized());
+        all.fixed = {0, 1, 1, 1};
+        all.friction[0] = 1.7;
+
+        Eigen::Matrix3d springs(Eigen::Matrix3d::Zero());
+        for (int j = 1; j < 4; ++j)
+        {
+            const vector& d = all.position[j];
+            const double gap = d.norm() - settings().thickness;
+
+            // Repelled: held along, not across
+            ASSERT_GT(law->force(gap), 0);
+            springs -= law->slope(gap)*d*d.transpose()/d.squaredNorm();
+        }
+
+        engine system(periodicBox(), {}, law, settings(), MPI_COMM_WORLD);
+        system.load(share(all, sharing::dealt));
+
+        const double largest = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>
+        (
+            springs, Eigen::EigenvaluesOnly
+        ).eigenvalues()[2];
+        EXPECT_NEAR(system.stiffness()/(largest/1.7), 1, 1e-12);
+    }
+}
+
+
 TEST(stiffness, countsWhatAttractionHoldsSideways)
 {
     // Attracted from either side along x, more weakly the nearer: along x that

@@ -327,13 +327,19 @@ TEST(walls, letNoForceOfPairsThrough)
 
 TEST(walls, ofOneSideLetNoForceOfPairsThrough)
 {
-    // As beside a layer behind the mesh: only those below are behind it, and
-    // clusters are of those above or of those below
+    // As beside a layer behind the mesh: only those below are behind it. Far from
+    // each other, clusters are of those above or of those below
     boundarySurface sheet;
     addSheet
     (
         sheet, vector(-5, -5, 0), vector(10, 0, 0), vector(0, 10, 0),
         action::reflect, 6
+    );
+    boundarySurface opening;
+    addSheet
+    (
+        opening, vector(-5, -5, 0), vector(10, 0, 0), vector(0, 10, 0),
+        action::absorb, 6
     );
 
     const auto law = std::make_shared<repulsion>();
@@ -358,16 +364,23 @@ TEST(walls, ofOneSideLetNoForceOfPairsThrough)
         return gather(system.local(), system.local().force, int(all.size()));
     };
 
-    const double height = 0.43*settings().cutOff;
-    const auto above = forceOn(sheet, {height});
-    const auto both = forceOn(sheet, {height, -height});
-    const auto without = forceOn({}, {height, -height});
-    EXPECT_GT((without[0] - above[0]).norm(), 1e-3);
-
-    for (int i = 0; i < 4; ++i)
+    // Near to each other they are in clusters together
+    for (const double height : {0.43*settings().cutOff, 0.05})
     {
-        EXPECT_LT((both[i] - above[i]).norm(), 1e-14);
-        EXPECT_LT((both[i + 4] - above[i]).norm(), 1e-14);
+        const auto above = forceOn(sheet, {height});
+        const auto both = forceOn(sheet, {height, -height});
+        const auto without = forceOn({}, {height, -height});
+        const auto open = forceOn(opening, {height, -height});
+        EXPECT_GT((without[0] - above[0]).norm(), 1e-3);
+
+        for (int i = 0; i < 4; ++i)
+        {
+            EXPECT_LT((both[i] - above[i]).norm(), 1e-13);
+            EXPECT_LT((both[i + 4] - above[i]).norm(), 1e-13);
+
+            // Where they would be absorbed they act
+            EXPECT_LT((open[i] - without[i]).norm(), 1e-13);
+        }
     }
 }
 

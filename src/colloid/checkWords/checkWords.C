@@ -66,6 +66,37 @@ std::size_t typingErrors(const word& a, const word& b)
 }
 
 
+// Letters in the wrong case, two swapped, one left out or too many. A word with a
+// digit, an underscore or another letter may be a variable ($deltaT0, $deltaX) or
+// what has been put aside (functions_)
+bool isSlip(const word& written, const word& known)
+{
+    if (written.size() == known.size())
+    {
+        const auto letters = [](std::string text)
+        {
+            for (char& c : text)
+            {
+                c = char(std::tolower(static_cast<unsigned char>(c)));
+            }
+            std::sort(text.begin(), text.end());
+            return text;
+        };
+        return
+            typingErrors(written, known) <= 1
+         && letters(written) == letters(known);
+    }
+    return
+        typingErrors(written, known) == 1
+     && std::all_of
+        (
+            written.begin(),
+            written.end(),
+            [](const unsigned char c) { return std::isalpha(c); }
+        );
+}
+
+
 void refuse
 (
     const Foam::dictionary& dict,
@@ -173,12 +204,9 @@ void Foam::colloid::checkSpelling
         for (const entry& e : dict)
         {
             const word keyword(e.keyword());
-
-            // One letter of a short word is another word's
-            const std::size_t slips = keyword.size() < 6 ? 0 : 2;
             const auto isNear = [&](const word& known)
             {
-                return typingErrors(keyword, known) <= slips;
+                return isSlip(keyword, known);
             };
 
             if
@@ -207,8 +235,8 @@ void Foam::colloid::checkSpelling
         ({
             "application", "startFrom", "startTime", "stopAt", "endTime",
             "deltaT", "adjustTimeStep", "maxDeltaT", "maxCo", "maxDisplacement",
-            "writeControl", "writeInterval", "purgeWrite", "writeFormat", "writePrecision",
-            "writeCompression", "timeFormat", "timePrecision", "graphFormat",
+            "writeControl", "writeInterval", "purgeWrite", "writeFormat",
+            "writePrecision", "writeCompression", "timeFormat", "timePrecision", "graphFormat",
             "runTimeModifiable", "functions", "libs", "profiling",
             "DebugSwitches", "InfoSwitches", "OptimisationSwitches"
         })

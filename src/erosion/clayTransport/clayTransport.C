@@ -81,7 +81,8 @@ void Foam::clayTransport::reportWater
         solution.concentration = concentration;
         const auto viscosity = matter.viscosity(solution);
 
-        Info<< "Water of " << concentration << " mol/m3: clay ";
+        Info<< "Water of " << concentration << " mol/m3"
+            << (salt ? " at the start" : "") << ": clay ";
         viscosity.gels()
       ? Info<< "stops flowing at a solid fraction of " << viscosity.gelFraction()
       : Info<< "flows at any solid fraction";
@@ -90,7 +91,7 @@ void Foam::clayTransport::reportWater
 
     if (salt)
     {
-        // With what comes in
+        // With what comes in, as it is now
         const scalar least = min(*salt).value();
         const scalar most = max(*salt).value();
 
@@ -112,12 +113,17 @@ void Foam::clayTransport::reportWater
             const scalar least = returnReduce(min(patch), minOp<scalar>());
             const scalar most = returnReduce(max(patch), maxOp<scalar>());
 
-            Info<< "    held at patch " << patch.patch().name() << ": " << least;
-            if (most > least)
+            // Not of a patch without faces
+            if (most >= least)
             {
-                Info<< " to " << most;
+                Info<< "    held at patch " << patch.patch().name() << ": "
+                    << least;
+                if (most > least)
+                {
+                    Info<< " to " << most;
+                }
+                Info<< endl;
             }
-            Info<< endl;
         }
     }
 }

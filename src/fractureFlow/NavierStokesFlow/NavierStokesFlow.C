@@ -167,17 +167,27 @@ void Foam::fractureFlows::NavierStokesFlow::refuseDivergence() const
 {
     constexpr scalar farTooMany = 1000;
 
-    const scalar Courant =
+    const scalarField Courant
+    (
         0.5*mesh().time().deltaTValue()
-       *gMax(fvc::surfaceSum(mag(phi()))().primitiveField()/mesh().V());
+       *fvc::surfaceSum(mag(phi()))().primitiveField()/mesh().V()
+    );
 
     // Not a number is not less either
-    if (!(Courant < farTooMany))
+    label nTooFast = 0;
+    for (const scalar Co : Courant)
+    {
+        nTooFast += !(Co < farTooMany);
+    }
+    reduce(nTooFast, sumOp<label>());
+
+    if (nTooFast)
     {
         FatalErrorInFunction
             << "NavierStokes diverges: in a step of "
-            << mesh().time().deltaTValue() << " s water passes " << Courant
-            << " cells (Courant number)" << nl
+            << mesh().time().deltaTValue() << " s water passes more than "
+            << farTooMany << " cells" << nl
+            << "    (the Courant number), in " << nTooFast << " of the mesh" << nl
             << "    It is as stable as PIMPLE. Of gel that is free to move, and"
             << " of creeping flow in long steps," << nl
             << "    model Stokes or HeleShaw is the one; of flow with inertia,"
