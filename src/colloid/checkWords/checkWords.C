@@ -236,8 +236,8 @@ void Foam::colloid::checkSpelling
             "application", "startFrom", "startTime", "stopAt", "endTime",
             "deltaT", "adjustTimeStep", "maxDeltaT", "maxCo", "maxDisplacement",
             "writeControl", "writeInterval", "purgeWrite", "writeFormat",
-            "writePrecision", "writeCompression", "timeFormat", "timePrecision", "graphFormat",
-            "runTimeModifiable", "functions", "libs", "profiling",
+            "writePrecision", "writeCompression", "timeFormat", "timePrecision",
+            "graphFormat", "runTimeModifiable", "functions", "libs", "profiling",
             "DebugSwitches", "InfoSwitches", "OptimisationSwitches"
         })
     );

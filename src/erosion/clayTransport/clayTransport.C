@@ -83,10 +83,15 @@ void Foam::clayTransport::reportWater
 
         Info<< "Water of " << concentration << " mol/m3"
             << (salt ? " at the start" : "") << ": clay ";
-        viscosity.gels()
-      ? Info<< "stops flowing at a solid fraction of " << viscosity.gelFraction()
-      : Info<< "flows at any solid fraction";
-        Info<< endl;
+        if (viscosity.gels())
+        {
+            Info<< "stops flowing at a solid fraction of "
+                << viscosity.gelFraction() << endl;
+        }
+        else
+        {
+            Info<< "flows at any solid fraction" << endl;
+        }
     };
 
     if (salt)
