@@ -85,10 +85,14 @@ low_x, high_x, low_y, high_y, low_z, high_z = mesh.GetDataInformation().GetBound
 width, height, depth = high_x - low_x, high_y - low_y, high_z - low_z
 middle = [0.5*(low_x + high_x), 0.5*(low_y + high_y), 0.5*(low_z + high_z)]
 size *= scale
+# The picture [pixels]: the box, margins for the axes, the label and the bars
+pixel = size/760
+left, right, bottom, top = 110, 270, 80, 60
+pixels = [max(760, round(width/pixel) + left + right), round(height/pixel) + bottom + top]
 number = clay.GetDataInformation().GetNumberOfPoints()
 
 view = CreateView('RenderView')
-view.ViewSize = [1200, 900]
+view.ViewSize = pixels
 view.Background = [1, 1, 1]
 view.UseColorPaletteForBackground = 0
 view.OrientationAxesVisibility = 0
@@ -108,7 +112,7 @@ most = max(plane.CellData['alpha.clay'].GetRange()[1], 1e-6)
 fraction = GetColorTransferFunction('alpha.clay')
 fraction.RGBPoints = [0, 1, 1, 1, 0.5*most, 0.87, 0.80, 0.70, most, 0.72, 0.60, 0.45]
 shown.SetScalarBarVisibility(view, True)
-colour_bar(fraction, 'solid fraction alpha.clay [-]', ticks(0, most), [0.81, 0.54])
+colour_bar(fraction, 'solid fraction alpha.clay [-]', ticks(0, most), [1 - 190/pixels[0], 0.54])
 
 # Platelets as balls, coloured by speed, three decades of it
 speeds = Calculator(Input=clay)
@@ -132,7 +136,8 @@ colour.MapControlPointsToLogSpace()
 colour.UseLogScale = 1
 shown.SetScalarBarVisibility(view, True)
 colour_bar(colour, 'speed of the platelets [mm/s]',
-           [10.0**n for n in range(decade - 3, decade + 1)], [0.81, 0.08])
+           [10.0**n for n in range(decade - 3, decade + 1)],
+           [1 - 190/pixels[0], 0.09])
 
 # Velocity of the water as arrows, in front of all, where it is 3 % of the
 # fastest or more
@@ -195,9 +200,10 @@ Render(view)
 view.CameraParallelProjection = 1
 view.ResetActiveCameraToNegativeZ()
 ResetCamera(view)
-view.CameraParallelScale = 0.6*size
-view.CameraFocalPoint = [middle[0] + 0.155*size, middle[1] - 0.01*size, middle[2]]
+view.CameraParallelScale = 0.5*pixels[1]*pixel
+view.CameraFocalPoint = [low_x + (0.5*pixels[0] - left)*pixel,
+                         low_y + (0.5*pixels[1] - bottom)*pixel, middle[2]]
 view.CameraPosition = view.CameraFocalPoint[:2] + [high_z + 10*size]
 Render(view)
-SaveScreenshot(out, view, ImageResolution=[1200, 900], CompressionLevel='9')
+SaveScreenshot(out, view, ImageResolution=pixels, CompressionLevel='9')
 print('clayPicture: %s (time %g s, %d platelets)' % (out, time, number))

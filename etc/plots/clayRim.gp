@@ -5,7 +5,7 @@
 #     gnuplot <bentoFoam>/etc/plots/clayRim.gp
 # With a run of the pseudo-steady model in runs/pseudoSteady, that too
 set encoding utf8
-set terminal pngcairo size 1500, 560 font "sans,13"
+set terminal pngcairo size 1320, 500 font "sans,13"
 system("mkdir -p plots")
 set output "plots/clayRim.png"
 
@@ -23,9 +23,9 @@ set key samplen 2.2 spacing 1.2
 set format "10^{%T}"
 set logscale xy
 
-set title "rim of the gel"
+set title "how far the gel has swollen"
 set xlabel "time [a]"
-set ylabel "radius r_R [m]"
+set ylabel "radius of the rim r_R [m]"
 set key top left Left reverse
 set format y "%g"
 if (compares) {
@@ -35,12 +35,12 @@ if (compares) {
     plot history using 1:2 with lines lw 3 lc rgb 0x0072B2 notitle
 }
 
-set title "clay into the fracture, and eroded"
-set ylabel "kg/a" offset 1
+set title "clay that enters the fracture and leaves it"
+set ylabel "rate [kg/a]" offset 1
 set format y "10^{%T}"
 set key top right Right noreverse
 plot history using 1:4 with lines lw 3 lc rgb 0x0072B2 title "enters the fracture", \
-    history using 1:5 with lines lw 3 lc rgb 0xD55E00 title "lost at the rim"
+    history using 1:5 with lines lw 3 lc rgb 0xD55E00 title "eroded at the rim"
 
 unset logscale
 set logscale y

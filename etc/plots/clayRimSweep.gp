@@ -3,7 +3,7 @@
 # and a band of percentiles, from postProcessing/clayRim/0. Run in the case:
 #     gnuplot <bentoFoam>/etc/plots/clayRimSweep.gp
 set encoding utf8
-set terminal pngcairo size 1500, 620 font "sans,13"
+set terminal pngcairo size 1320, 540 font "sans,13"
 system("mkdir -p plots")
 set output "plots/clayRimSweep.png"
 
@@ -57,7 +57,7 @@ unset arrow 1
 unset style
 set lmargin at screen 0.625
 set rmargin at screen 0.985
-set title sprintf("all of them at random%s", left > 0 ? sprintf("; %d samples whose clay coagulates left out", left) : "")
+set title sprintf("all inputs at random in their ranges%s", left > 0 ? sprintf("; %d samples whose clay coagulates left out", left) : "")
 set grid y lt 1 lw 1 lc rgb "#e4e4e4"
 set ytics autofreq scale 1 0, 20, 100
 set ylabel "samples with less [%]" offset 1
@@ -69,8 +69,8 @@ set object 2 rectangle from at(25), graph 0 to at(75), graph 1 fc rgb "#c9dcea" 
 set key default
 set key inside top left Left reverse vertical samplen 2 spacing 1.2
 set style fill solid noborder
-plot band using 2:1 with lines lw 3 lc rgb 0x0072B2 title sprintf("median %.2g kg/a", at(50)), \
+plot band using 2:1 with lines lw 3 lc rgb 0x0072B2 title gprintf("median %.1t×10^{%T} kg/a", at(50)), \
     NaN with boxes fc rgb "#c9dcea" title "25 to 75 %", \
     NaN with boxes fc rgb "#e8f0f6" title "5 to 95 %", \
-    NaN with lines lw 2 lc rgb "#444444" title "the case"
+    NaN with lines lw 2 lc rgb "#444444" title "the case itself"
 unset multiplot

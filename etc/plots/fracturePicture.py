@@ -157,7 +157,9 @@ if fastest > 0 and asked.lines > 0:
     lines.SeedType.Point1, lines.SeedType.Point2 = [[*end, middle[2]] for end in ends]
     lines.SeedType.Resolution = asked.lines - 1
     lines.MaximumStreamlineLength = 4*size
-    lines.MaximumSteps = 20000
+    # In lengths of cells: lines end where the first step leaves the mesh
+    lines.MaximumStepLength = 0.1
+    lines.MaximumSteps = 100000
     lines.IntegrationDirection = 'BOTH'
     lines.TerminalSpeed = 3e-3*fastest
     lines.SurfaceStreamlines = 1
@@ -207,7 +209,7 @@ for axis in 'XYZ':
     setattr(axes, axis + 'TitleFontSize', 20)
 
 # As high as the box needs
-pixels = [1200, max(420, round(1200*0.72*height/width + 190))]
+pixels = [1200, max(400, round(1200*0.72*height/width + 170))]
 view.ViewSize = pixels
 Render(view)
 view.CameraParallelProjection = 1
@@ -215,7 +217,7 @@ view.ResetActiveCameraToNegativeZ()
 ResetCamera(view)
 perPixel = width/(0.72*pixels[0])
 view.CameraParallelScale = 0.5*pixels[1]*perPixel
-view.CameraFocalPoint = [x0 + (0.5 - 0.1)*pixels[0]*perPixel, middle[1] - 12*perPixel, middle[2]]
+view.CameraFocalPoint = [x0 + (0.5 - 0.1)*pixels[0]*perPixel, middle[1] - 14*perPixel, middle[2]]
 view.CameraPosition = view.CameraFocalPoint[:2] + [middle[2] + 10*size]
 Render(view)
 SaveScreenshot(asked.out, view, ImageResolution=pixels, CompressionLevel='9')

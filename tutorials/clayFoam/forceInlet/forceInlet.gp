@@ -2,7 +2,7 @@
 # Platelets that inlets have let in and that have passed a plane, over time, and how
 # they lie at the end; from runs/
 set encoding utf8
-set terminal pngcairo size 1400, 1050 font "sans,13"
+set terminal pngcairo size 1200, 980 font "sans,13"
 set output "plots/forceInlet.png"
 
 names = system("for r in pair calibrated reservoir; do [ ! -d runs/$r ] || echo $r; done")
@@ -17,7 +17,7 @@ last = STATS_max
 first = 1e-4
 
 
-set multiplot layout 2, 2 margins 0.07, 0.98, 0.07, 0.96 spacing 0.085, 0.1
+set multiplot layout 2, 2 margins 0.075, 0.98, 0.07, 0.96 spacing 0.09, 0.13
 set grid lt 1 lw 1 lc rgb "#e4e4e4"
 set key bottom right samplen 2.5 spacing 1.15
 set offsets 0, 0, graph 0.05, 0
@@ -28,7 +28,7 @@ set yrange [0:*]
 set title "through the plane 0.5 µm above the inlet (as Fig. 3-6)"
 plot for [k = 1:count] passed(k, "flux") using ($1*1e3):4 with lines lw 2.5 lc rgb colour[k] title what(k)
 
-set title "through the inlet, logarithmic: as {/Symbol \326}t until the box is full"
+set title "through the inlet: as {/Symbol \326}t until the box is full"
 set logscale xy
 set xrange [first*1e3:last*1e3]
 set yrange [20:2000]
@@ -50,7 +50,7 @@ end = STATS_blocks - 2
 plot 1 with lines lw 1 dt 2 lc rgb "#000000" notitle, \
     for [k = 1:count] profile(k) index end using ($2*1e6):($3/0.0314159) with linespoints pt 7 ps 0.8 lw 2.5 lc rgb colour[k] title what(k)
 
-set yrange [0:1]
+set yrange [0:1.1]
 set title "solid fraction over time, force pair"
 set key top right title "time"
 array block[5] = [0, int(end/8.0 + 0.5), int(end/4.0 + 0.5), int(end/2.0 + 0.5), end]

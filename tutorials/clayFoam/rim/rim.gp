@@ -2,7 +2,7 @@
 # Growth of the rim, and the water that flows past it, from postProcessing/,
 # thickness.dat and continuum.dat
 set encoding utf8
-set terminal pngcairo size 1400, 1050 font "sans,13"
+set terminal pngcairo size 1200, 980 font "sans,13"
 set output "plots/rim.png"
 
 profile = "postProcessing/profile/0/profile.dat"
@@ -26,7 +26,7 @@ name(k) = sprintf("%.2g ms", time[k]*1e3)
 covolume(a) = 1.6*a/0.0054093
 viscosity(a) = covolume(a) < 1.6 ? 1 + 1.022*covolume(a) + 1.358*covolume(a)**3 : NaN
 
-set multiplot layout 2, 2 margins 0.065, 0.985, 0.07, 0.96 spacing 0.085, 0.1
+set multiplot layout 2, 2 margins 0.07, 0.985, 0.07, 0.96 spacing 0.09, 0.13
 set grid lt 1 lw 1 lc rgb "#e4e4e4"
 set offsets 0, 0, graph 0.05, 0
 set key opaque top left samplen 2.5 spacing 1.15
@@ -41,7 +41,7 @@ plot "thickness.dat" using (sqrt($1*1e3)):($2*1e6) with linespoints pt 7 lw 2 lc
     "continuum.dat" using (sqrt($1*1e3)):($2 > 0 ? $2*1e6 : NaN) with lines dt 2 lw 2 lc rgb 0x062a5e notitle, \
     "" using (sqrt($1*1e3)):($3*1e6) with lines dt 2 lw 2 lc rgb 0xE69F00 title "dashed: as a continuum"
 
-set title "viscosity over that of water; the gel, which has none, is left out"
+set title "viscosity, where clay is a sol"
 set key top right title "time"
 set xlabel "height above the inlet [µm]"
 set ylabel "viscosity over that of water [-]"
@@ -60,7 +60,7 @@ set key bottom right
 plot for [k = 1:5] profile index block[k] using ($2*1e6):($4*1e3) with lines lw 2.5 lc rgb shade(k) title name(k)
 
 set key top right
-set title "solid fraction (filtered over three spacings); dashed: gel above"
+set title "solid fraction; dashed: gel above"
 set ylabel "alpha.clay [-]"
 set yrange [0:*]
 set key top right

@@ -1,7 +1,7 @@
 # bentoFoam, GPL-3.0-or-later
 # Displacement of the middle one of three platelets over time, from runs/
 set encoding utf8
-set terminal pngcairo size 1400, 640 font "sans,13"
+set terminal pngcairo size 1200, 600 font "sans,13"
 set output "plots/timeStep.png"
 
 # Along the curve of the force, sinh(kappa d): tanh(kappa d/2) falls
@@ -19,15 +19,15 @@ array colour[3] = [0x0072B2, 0xE69F00, 0xD00000]
 array ownColour[4] = [0x000000, 0x009E73, 0xCC79A7, 0x56B4E9]
 array symbol[4] = [6, 4, 8, 12]
 
-set multiplot layout 1, 2 margins 0.06, 0.985, 0.1, 0.92 spacing 0.085
+set multiplot layout 1, 2 margins 0.075, 0.985, 0.115, 0.93 spacing 0.085
 set grid lt 1 lw 1 lc rgb "#e4e4e4"
 set xlabel "time [µs]"
 set xrange [0:31]
 set samples 400
 set key samplen 2.5 spacing 1.15 Left reverse
 
-set title "as Fig. 3-4 of TR-17-13: Euler"
-set ylabel "displacement of the middle platelet [h_0]"
+set title "Euler's method (as TR-17-13, Fig. 3-4)"
+set ylabel "displacement of the middle platelet [h_0 = 0.1 µm]"
 set yrange [-0.68:0.45]
 set key bottom left
 plot 0 with lines lw 1 lc rgb "#999999" notitle, \
@@ -37,11 +37,11 @@ plot 0 with lines lw 1 lc rgb "#999999" notitle, \
         title sprintf("{/Symbol D}t = %g µs: × %.3f a step", \
             dt[k], growth(dt[k]))
 
-set title "its size; open symbols: bentoFoam's own, flow step 10 µs"
+set title "its size; open symbols: integrators, flow step 10 µs"
 set ylabel "|displacement| [h_0]"
 set logscale y
 set format y "10^{%T}"
-set yrange [3e-7:3]
+set yrange [1e-9:3]
 plot exact(x) with lines lw 2 dt 2 lc rgb "#000000" title "exact", \
     for [k = 1:3] 0.1*abs(growth(dt[k]))**(x/dt[k]) \
         with lines lw 1.5 lc rgb colour[k] \

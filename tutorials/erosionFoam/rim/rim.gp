@@ -1,7 +1,7 @@
 # bentoFoam, GPL-3.0-or-later
 # The steady rim, from runs/*/places.dat and runs/*/loss.dat
 set encoding utf8
-set terminal pngcairo size 1400, 560 font "sans,13"
+set terminal pngcairo size 1320, 500 font "sans,13"
 set output "plots/rim.png"
 
 edge = 0.0054093          # solid fraction held at the gel
@@ -15,14 +15,14 @@ array at[5] = [0.0003, 0.001, 0.0025, 0.005, 0.009]
 shade(k) = word("#a6cee3 #6fb1d8 #3f8fc5 #0b4f94 #062a5e", k)
 name(k) = sprintf("%.2g mm", 1e3*at[k])
 
-set multiplot layout 1, 3 margins 0.06, 0.985, 0.12, 0.92 spacing 0.085, 0.1
+set multiplot layout 1, 3 margins 0.06, 0.985, 0.13, 0.92 spacing 0.085, 0.1
 set grid lt 1 lw 1 lc rgb "#e4e4e4"
 set key opaque bottom left samplen 2.5 spacing 1.15
 
-set title "solid fraction above the gel, with diffusion along x"
+set title "solid fraction above the gel"
 set xlabel "distance from the gel [mm]"
 set ylabel "alpha.clay/0.0054 [-]"
-set xrange [0:1.3]
+set xrange [0:1.5]
 set yrange [0:1]
 set key title "along the edge" top right
 plot for [k = 1:5] profile(at[k]) using ($2*1e3):($3/edge) \
@@ -44,7 +44,7 @@ set yrange [0:0.026]
 set key notitle bottom right font ",11" samplen 2
 plot 0.019867 with lines dt 2 lw 2 lc rgb "#999999" title "theory (A), as printed", \
     0.012028 with lines dt 1 lw 2 lc rgb "#000000" title "theory (C), conservative", \
-    "runs/boundaryLayer/loss.dat" using ($1*1e3):2 with lines lw 2.5 lc rgb "#E69F00" title "imposed flow, clean at x = 0", \
-    "runs/withoutDiffusion/loss.dat" using ($1*1e3):2 with lines lw 2.5 lc rgb "#56B4E9" title "water upstream", \
-    "runs/withDiffusion/loss.dat" using ($1*1e3):2 with lines dt 3 lw 3 lc rgb "#062a5e" title "and diffusion along the flow"
+    "runs/boundaryLayer/loss.dat" using ($1*1e3):2 with lines lw 2.5 lc rgb "#E69F00" title "imposed flow", \
+    "runs/withoutDiffusion/loss.dat" using ($1*1e3):2 with lines lw 2.5 lc rgb "#56B4E9" title "flow by its pressure", \
+    "runs/withDiffusion/loss.dat" using ($1*1e3):2 with lines dt 3 lw 3 lc rgb "#062a5e" title "and diffusion along it"
 unset multiplot
