@@ -4,7 +4,7 @@
 file = "plots/accuracy.csv"
 set datafile separator ","
 set encoding utf8
-set terminal pngcairo size 1650, 1560 font "sans,13"
+set terminal pngcairo size 1350, 1320 font "sans,12"
 set output "plots/accuracy.png"
 
 # Columns of the file
@@ -47,18 +47,20 @@ plot rows("tolerance") using run:median with linespoints lt 1 notitle, \
     "" using run:median:3 with labels @text, \
     default("tolerance") using run:median with points lt 9 title "default"
 
-eval "set xrange [" . bounds("integrator", evaluations, evaluations, 6, 2) . "]"
+eval "set xrange [" . bounds("integrator", evaluations, evaluations, 20, 2) . "]"
 eval "set yrange [" . bounds("integrator", median, median, 3, 3) . "]"
 set title "2  integrator and step, cut-off as by default"
 set xlabel "evaluations of the forces [-]"
-set key bottom left
+set key bottom left Left reverse
+set xtics (20, 50, 100, 200, "" 500, 1000, "" 2000, 5000)
 plot for [k = 1:5] name = word("auto RKC2 BogackiShampine AdamsBashforth2 Euler", k) \
     series("integrator", name) using evaluations:median with linespoints lt k title name, \
     default("integrator") using evaluations:median with points lt 9 title "default"
 
+set xtics (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500)
 eval "set xrange [" . bounds("cutOff", forces, forces, 1.5, 2) . "]"
 eval "set yrange [" . bounds("cutOff", median, median, 3, 3) . "]"
-set key top right
+set key top right Right noreverse
 set title "3  cutOff [mean spacings], equal steps"
 set xlabel "lists and forces [s]"
 plot rows("cutOff") using forces:median with linespoints lt 1 notitle, \
@@ -72,14 +74,14 @@ set xlabel "lists and forces [s]"
 set ylabel "root mean square distance of platelets\n from the reference [spacings]"
 exact = real(system(sprintf("awk -F, '$1 == \"kernel\" && $2 == \"exact\" { print $%d }' %s", forces, file)))
 set arrow 1 from exact, graph 0 to exact, graph 1 nohead lw 2 dt 2 lc rgb colour[2]
-set key bottom left
+set key bottom left Left reverse
 set label 1 "exact (the reference)" at exact, graph 0.5 rotate by 90 center offset -1, 0 font "sans,11"
 plot series("kernel", "auto") using forces:rms with linespoints lt 1 title "auto", \
     "" using forces:rms:3 with labels @text, \
     default("kernel") using forces:rms with points lt 9 title "default"
 unset arrow 1
 unset label 1
-set key top right
+set key top right Right noreverse
 
 eval "set xrange [" . bounds("filter", filtering, filtering, 1.5, 2) . "]"
 eval "set yrange [" . bounds("filter", field, field, 3, 3) . "]"
@@ -129,17 +131,18 @@ unset key
 set xrange [0:1]
 set yrange [0:1]
 set label 11 "{/:Bold How to read this page}\n\n\
-A point is a run of clayFoam: its cost, and how far it\n\
-ends from a run that is tighter in this knob. Lower is\n\
-more exact, left is cheaper. The number at a point\n\
-is the value of the knob.\n\n\
+A point is a run of clayFoam: its cost, and how\n\
+far it ends from a run that is tighter in this\n\
+knob. Lower is more exact, left is cheaper. The\n\
+number at a point is the value of the knob.\n\n\
 Gel of 6912 platelets in 12 layers expands into\n\
 water of 0.1 mol/m^3. One core.\n\n\
 Swelling: error of the rise of the clay's centre.\n\
 Profile: root of the mean square error of slabs,\n\
 over that of the profile itself.\n\n\
-Panel 1 holds the errors of step, cut-off and kernel,\n\
-panel 8 those and the one of alpha; each other\n\
-panel that of its knob alone. 5: no reference." at graph -0.1, 0.95 left front
+Panel 1 holds the errors of step, cut-off and\n\
+kernel, panel 8 those and the one of alpha; each\n\
+other panel that of its knob alone. Panel 5 needs\n\
+no reference." at graph -0.1, 0.95 left front
 plot NaN notitle
 unset multiplot

@@ -2,7 +2,7 @@
 # What the gel's edge loses, from loss.dat, extrapolated.dat, runs/, and by clayRim
 # edgeLoss.dat and rim*.dat
 set encoding utf8
-set terminal pngcairo size 1400, 1050 font "sans,13"
+set terminal pngcairo size 1200, 980 font "sans,13"
 set output "plots/directErosion.png"
 
 losses = system("tail -n 1 edgeLoss.dat")
@@ -17,12 +17,12 @@ colour(alpha) = alpha == 800 ? 0x6fb1d8 : alpha == 400 ? 0x0b4f94 : alpha == 200
 sizes = "800 400 200 100"
 has(alpha) = int(system("ls runs | grep -c '^".alpha."[.]1$'"))
 
-set multiplot layout 2, 2 margins 0.08, 0.985, 0.07, 0.96 spacing 0.095, 0.12
+set multiplot layout 2, 2 margins 0.085, 0.985, 0.07, 0.96 spacing 0.1, 0.13
 set grid lt 1 lw 1 lc rgb "#e4e4e4"
 set key opaque samplen 2.5 spacing 1.15
 set bars small
 
-set title "loss by similarity: the same all along the edge, but for the parcels' size"
+set title "loss by similarity, along the edge"
 set xlabel "x/L_x [-]"
 set ylabel "q_0 [-]"
 set xrange [0:1.05]
@@ -36,8 +36,8 @@ plot C with lines lw 2 lc rgb 0 title "theory (C), D of the parcels", \
         using 5:2:(2*$3) with yerrorbars pt 7 lw 1.5 lc rgb colour(int(a)) \
         title (has(a) ? "parcels of ".a."^3" : "")
 
-set title "without coarse graining"
-set xlabel "{/Symbol a}/√(x/L_x): spacing of parcels over thickness of the rim"
+set title "loss against the size of the parcels"
+set xlabel "{/Symbol a}/√(x/L_x), as spacing of parcels over the rim [-]"
 set xrange [0:1700]
 set yrange [0.014:0.022]
 set key bottom right maxrows 6

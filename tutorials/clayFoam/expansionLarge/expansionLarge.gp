@@ -1,7 +1,7 @@
 # bentoFoam, GPL-3.0-or-later
 # How many platelets have entered, and where they are: plots/filling.png
 set encoding utf8
-set terminal pngcairo size 1300, 560 font "sans,13"
+set terminal pngcairo size 1200, 540 font "sans,13"
 set output "plots/filling.png"
 
 count = "runs/box/postProcessing/entered/0/entered.dat"
@@ -16,7 +16,7 @@ unit = full > 1e5 ? 1000 : 1
 stats count using ($1 <= 0.001001 ? $1 : NaN):(-$5) nooutput
 root = STATS_max_y/sqrt(STATS_max_x)
 
-set multiplot layout 1, 2 margins 0.075, 0.985, 0.115, 0.95 spacing 0.09, 0.1
+set multiplot layout 1, 2 margins 0.08, 0.985, 0.12, 0.95 spacing 0.09, 0.1
 set grid lt 1 lw 1 lc rgb "#e4e4e4"
 set key samplen 2 spacing 1.15
 

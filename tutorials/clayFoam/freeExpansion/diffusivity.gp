@@ -1,11 +1,11 @@
 # bentoFoam, GPL-3.0-or-later
 # D against the solid fraction from the layer that expands, from runs/layer/*.dat
 set encoding utf8
-set terminal pngcairo size 1400, 620 font "sans,13"
+set terminal pngcairo size 1200, 560 font "sans,13"
 set output "plots/diffusivity.png"
 table(name) = sprintf("runs/layer/%s.dat", name)
 
-set multiplot layout 1, 2 margins 0.07, 0.975, 0.11, 0.92 spacing 0.085
+set multiplot layout 1, 2 margins 0.075, 0.975, 0.12, 0.92 spacing 0.085
 set grid lt 1 lw 1 lc rgb "#e4e4e4"
 set key samplen 2.5 spacing 1.2
 set xlabel "solid fraction [-]"

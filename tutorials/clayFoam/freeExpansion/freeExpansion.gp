@@ -2,7 +2,7 @@
 # Along the line through the middle of the block, at 1e-4 s: what TR-17-13 shows
 # in Fig. 3-10 ... 3-13, from runs/*/{alongLine,leastSquares,equilibrium}.dat
 set encoding utf8
-set terminal pngcairo size 1400, 1500 font "sans,13"
+set terminal pngcairo size 1200, 1400 font "sans,13"
 set output "plots/freeExpansion.png"
 
 file(c) = sprintf("runs/c%s/alongLine.dat", c)
@@ -13,7 +13,7 @@ length(c) = 1e6*real(system(sprintf("sed -n 's/^ *filter length *\\([^ ]*\\) m.*
 array number[2] = ["0.1", "1e-4"]
 width(k) = 1e6*real(system(sprintf("awk '/^[^#]/ && $2 > 1e-6 && $1 > x { x = $1 } END { print x }' %s", file(number[k]))))
 
-set multiplot layout 4, 2 margins 0.085, 0.985, 0.045, 0.965 spacing 0.1, 0.045
+set multiplot layout 4, 2 margins 0.095, 0.985, 0.045, 0.965 spacing 0.1, 0.045
 set grid lt 1 lw 1 lc rgb "#e4e4e4"
 set key samplen 2 spacing 1.15
 array colour[4] = [0x0072B2, 0xD00000, 0x000000, 0x999999]
