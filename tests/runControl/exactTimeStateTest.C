@@ -45,6 +45,7 @@ TEST(exactTimeState, keepsEveryBit)
     state.writeTimeIndex = 123456789;
     state.writeControl = "adjustableRunTime";
     state.writeInterval = 2./3;
+    state.files = {"alpha.clay", "mag(U)", "lagrangian/clay/x"};
 
     const exactTimeState again(fromText(asText(state)));
 
@@ -56,6 +57,7 @@ TEST(exactTimeState, keepsEveryBit)
     EXPECT_EQ(again.writeTimeIndex, state.writeTimeIndex);
     EXPECT_EQ(again.writeControl, state.writeControl);
     EXPECT_EQ(again.writeInterval, state.writeInterval);
+    EXPECT_EQ(again.files, state.files);
 }
 
 

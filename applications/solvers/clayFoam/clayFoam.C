@@ -21,6 +21,7 @@ Description
 #include "checkWords.H"
 #include "clayCloud.H"
 #include "clayProperties.H"
+#include "clayState.H"
 #include "costReport.H"
 #include "fractureFlow.H"
 #include "fvCFD.H"
@@ -35,6 +36,7 @@ int main(int argc, char *argv[])
     );
 
     #include "setRootCase.H"
+    const fileName begunWith(clayState::file());
     #include "createRestartableTime.H"
     #include "createMesh.H"
 

@@ -36,6 +36,7 @@ int main(int argc, char *argv[])
     );
 
     #include "setRootCase.H"
+    const fileName begunWith("alpha.clay");
     #include "createRestartableTime.H"
     #include "createMesh.H"
     #include "createFields.H"

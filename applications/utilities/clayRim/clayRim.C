@@ -22,6 +22,8 @@ Description
 #include "rimSweep.H"
 
 #include "argList.H"
+#include "caseLock.H"
+#include "checkControls.H"
 #include "IOdictionary.H"
 #include "logDigits.H"
 #include "OSspecific.H"
@@ -104,6 +106,8 @@ int main(int argc, char *argv[])
         FatalError.exit();
     }
 
+    const caseLock lock(args);
+    checkControls(args);
     Time runTime(Time::controlDictName, args);
     setLogDigits();
 

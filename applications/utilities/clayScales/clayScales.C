@@ -19,6 +19,7 @@ Description
 #include "scaleTable.H"
 
 #include "argList.H"
+#include "checkControls.H"
 #include "IOdictionary.H"
 #include "logDigits.H"
 #include "sigFpe.H"
@@ -259,6 +260,7 @@ int main(int argc, char *argv[])
         positive("secondsPerParticleStep", "s", 1e-6)
     };
 
+    checkControls(args);
     Time runTime(Time::controlDictName, args);
     setLogDigits();
 

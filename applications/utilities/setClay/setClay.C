@@ -11,41 +11,55 @@ Description
 
     Writes the cloud `clay`, its state (coarse graining, spacing, number) and
     the cell field clayWeights that decomposePar can balance with. An earlier
-    cloud of the same time is replaced.
+    cloud of the same time is replaced. A case with times that a run has written
+    is refused; with -overwrite these are removed first.
 \*---------------------------------------------------------------------------*/
 
 #include "arrangement.H"
+#include "caseLock.H"
+#include "checkControls.H"
 #include "checkWords.H"
 #include "clayPlatelet.H"
 #include "clayProperties.H"
 #include "clayState.H"
 #include "Cloud.H"
 #include "cloudProperties.H"
+#include "completeTimes.H"
 #include "fvCFD.H"
 #include "logDigits.H"
 #include "OSspecific.H"
 #include "parcelScale.H"
 #include "waterLimits.H"
+#include "writtenTimes.H"
 
 int main(int argc, char *argv[])
 {
     argList::addNote("Place clay platelets as system/setClayDict says");
     argList::noParallel();
 
+    argList::addBoolOption
+    (
+        "overwrite", "Remove the times that a run has written, then place"
+    );
+
     #include "setRootCase.H"
+    const caseLock lock(args);
+    checkControls(args);
+
+    const writtenTimes ofRuns(args.path());
+    if (args.found("overwrite"))
+    {
+        ofRuns.remove();
+    }
+    else
+    {
+        ofRuns.refuse();
+    }
+
     #include "createTime.H"
     setLogDigits();
+    #include "setStart.H"
     #include "createMesh.H"
-
-    if (isFile(runTime.timePath()/"uniform"/"restartableTime"))
-    {
-        FatalErrorInFunction
-            << "Time " << runTime.timeName() << " was written by a run, and"
-            << " setClay would replace its platelets." << nl
-            << "    Start at another time (controlDict: startFrom startTime;"
-            << " startTime 0;), or delete the times of the run"
-            << exit(FatalError);
-    }
 
     const colloid::clayProperties matter(runTime);
     const cloudProperties properties(runTime);

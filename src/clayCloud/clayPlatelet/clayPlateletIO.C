@@ -6,6 +6,7 @@
 #include "clayPlatelet.H"
 #include "Cloud.H"
 #include "IOField.H"
+#include "completeTimes.H"
 
 namespace
 {
@@ -77,6 +78,41 @@ void forEachField(Action action)
     action("inlet", &properties::inlet);
 }
 
+
+//- FatalError if a rank has platelets without one of their fields: OpenFOAM's
+//  own would end it with a stack
+void checkWhole(const Cloud<clayPlatelet>& cloud)
+{
+    if (!cloud.size())
+    {
+        return;
+    }
+
+    const auto check = [&](const char* name, const auto&...)
+    {
+        const Foam::fileName file
+        (
+            cloud.fieldIOobject(name, IOobject::NO_READ).objectPath()
+        );
+
+        if (!Foam::completeTimes::holds(file.path(), file.name()))
+        {
+            FatalErrorInFunction
+                << "Time " << cloud.time().timeName() << " is not whole: "
+                << file << " is missing." << Foam::nl
+                << "    Start from an earlier one, or make it anew: setClay for"
+                << " a first time (then decomposePar)," << Foam::nl
+                << "    reconstructPar -time " << cloud.time().timeName()
+                << " for one that is whole in the processor directories"
+                << Foam::exit(Foam::FatalError);
+        }
+    };
+
+    check("origProcId");
+    check("origId");
+    forEachField(check);
+}
+
 } // End anonymous namespace
 
 
@@ -103,6 +139,7 @@ Foam::clayPlatelet::clayPlatelet
 
 void Foam::clayPlatelet::readFields(Cloud<clayPlatelet>& cloud)
 {
+    checkWhole(cloud);
     particle::readFields(cloud);
 
     forEachField

@@ -17,11 +17,13 @@ Foam::IOobject stateObject
     const Foam::IOobject::readOption read
 )
 {
+    const Foam::fileName file(Foam::clayState::file());
+
     return Foam::IOobject
     (
-        "clayState",
+        file.name(),
         mesh.time().timeName(),
-        "uniform"/Foam::cloud::prefix/"clay",
+        file.path(),
         mesh.time(),
         read,
         Foam::IOobject::AUTO_WRITE
@@ -80,6 +82,12 @@ void readLists
 }
 
 } // End anonymous namespace
+
+
+Foam::fileName Foam::clayState::file()
+{
+    return "uniform"/cloud::prefix/"clay"/"clayState";
+}
 
 
 Foam::clayState::clayState(const polyMesh& mesh)

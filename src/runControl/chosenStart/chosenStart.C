@@ -7,6 +7,7 @@
 
 #include "Pstream.H"
 #include "Time.H"
+#include "checkControls.H"
 #include "completeTimes.H"
 #include "fileOperation.H"
 
@@ -43,10 +44,11 @@ void refuseCollated(const Foam::dictionary& controlDict)
 } // End anonymous namespace
 
 
-Foam::chosenStart::chosenStart
+Foam::dictionary Foam::chosenStart::readControlDict
 (
     const fileName& rootPath,
-    const fileName& caseName
+    const fileName& caseName,
+    fileNameList* files
 )
 {
     // A Time that reads nothing
@@ -73,12 +75,28 @@ Foam::chosenStart::chosenStart
         )
     );
 
-    refuseCollated(read);
+    if (files)
+    {
+        *files = read.files();
+    }
+    return read;
+}
 
-    files = read.files();
-    start = completeTimes(rootPath/caseName).start(read);
 
-    controlDict = read;
+Foam::chosenStart::chosenStart
+(
+    const fileName& rootPath,
+    const fileName& caseName,
+    const fileName& begunWith
+)
+:
+    controlDict(readControlDict(rootPath, caseName, &files))
+{
+    refuseCollated(controlDict);
+    checkControls(controlDict);
+
+    start = completeTimes(rootPath/caseName, begunWith).start(controlDict);
+
     controlDict.set("startFrom", word("startTime"));
     controlDict.set("startTime", start.value());
 }

@@ -6,20 +6,77 @@
 #include "completeTimes.H"
 
 #include "DynamicList.H"
+#include "IFstream.H"
 #include "ListOps.H"
 #include "Pstream.H"
+#include "exactTimeState.H"
 #include "incompleteMarker.H"
 #include "ofAllRanks.H"
 
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
+
+// * * * * * * * * * * * * * * * Local functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- The file of the last writing
+const fileName lastWritten("uniform/restartableTime");
+
+
+//- Names of what was written with the time, as this rank's last file says it
+fileNameList filesOf(const fileName& timeDirectory)
+{
+    if (!completeTimes::holds(timeDirectory, lastWritten))
+    {
+        return fileNameList();
+    }
+    // OpenFOAM opens x.gz where x is asked for
+    IFstream is(timeDirectory/lastWritten);
+    return exactTimeState::filesOf(dictionary(is));
+}
+
+
+//- The folder of the cloud that a file belongs to; empty for other files
+fileName cloudOf(const fileName& file)
+{
+    const auto end = file.rfind('/');
+    return
+        file.compare(0, 11, "lagrangian/") == 0
+      ? fileName(file.substr(0, end))
+      : fileName();
+}
+
+} // End anonymous namespace
+
 
 // * * * * * * * * * * * * * * * * * Private * * * * * * * * * * * * * * * * //
 
-Foam::label Foam::completeTimes::lastComplete(label timei) const
+bool Foam::completeTimes::counts(const label timei) const
 {
-    while (timei >= 0 && incompleteOn_[timei] >= 0)
+    return
+        begunWith_.empty() || times_[timei].written || timei == first_;
+}
+
+
+bool Foam::completeTimes::canStart(const label timei) const
+{
+    return counts(timei) && times_[timei].incompleteOn < 0;
+}
+
+
+Foam::label Foam::completeTimes::lastOf
+(
+    label timei,
+    const std::function<bool(label)>& is
+) const
+{
+    while (timei >= 0 && !is(timei))
     {
         --timei;
     }
@@ -30,9 +87,9 @@ Foam::label Foam::completeTimes::lastComplete(label timei) const
 Foam::label Foam::completeTimes::find(const scalar value) const
 {
     // Both are read from decimal digits: they differ by round-off or truly
-    forAll(times_, timei)
+    for (std::size_t timei = 0; timei < times_.size(); ++timei)
     {
-        const scalar other = times_[timei].value();
+        const scalar other = times_[timei].time.value();
 
         if (mag(other - value) <= 1e-12*max(mag(other), mag(value)))
         {
@@ -43,12 +100,141 @@ Foam::label Foam::completeTimes::find(const scalar value) const
 }
 
 
+std::string Foam::completeTimes::names
+(
+    const std::function<bool(label)>& are
+) const
+{
+    std::string names;
+    for (std::size_t timei = 0; timei < times_.size(); ++timei)
+    {
+        if (are(timei))
+        {
+            names += (names.empty() ? "" : " ") + times_[timei].time.name();
+        }
+    }
+    return names;
+}
+
+
+Foam::string Foam::completeTimes::missing(const word& time) const
+{
+    const fileName directory(casePath_/time);
+    const fileNameList own(filesOf(directory));
+
+    // A rank without platelets has no file of the cloud, whatever the others
+    // or the undecomposed case had; one with platelets has all but `positions`,
+    // which are for ParaView and decomposePar leaves out
+    std::set<std::string> ofClouds;
+    std::set<std::string> cloudsHere;
+    std::set<std::string> clouds;
+
+    for (const fileNameList& files : ofAllRanks(own))
+    {
+        for (const fileName& file : files)
+        {
+            if (!cloudOf(file).empty() && file.name() != "positions")
+            {
+                ofClouds.insert(file);
+                if (holds(directory, file))
+                {
+                    cloudsHere.insert(cloudOf(file));
+                }
+            }
+        }
+    }
+    for
+    (
+        const wordList& some
+      : ofAllRanks(wordList(cloudsHere.begin(), cloudsHere.end()))
+    )
+    {
+        clouds.insert(some.begin(), some.end());
+    }
+
+    string lacking;
+    const auto look = [&](const fileName& file)
+    {
+        if (lacking.empty() && !holds(directory, file))
+        {
+            lacking = directory/file;
+        }
+    };
+
+    for (const fileName& file : own)
+    {
+        if (cloudOf(file).empty())
+        {
+            look(file);
+        }
+    }
+    for (const fileName file : ofClouds)
+    {
+        if (cloudsHere.count(cloudOf(file)) || !clouds.count(cloudOf(file)))
+        {
+            look(file);
+        }
+    }
+
+    for (const string& first : ofAllRanks(lacking))
+    {
+        if (!first.empty())
+        {
+            return first;
+        }
+    }
+    return string();
+}
+
+
+void Foam::completeTimes::refuse
+(
+    const dictionary& controlDict,
+    const label timei,
+    const string& file
+) const
+{
+    const word& name = times_[timei].time.name();
+    const label earlier =
+        lastOf(timei - 1, [&](const label i){return canStart(i);});
+
+    FatalIOErrorInFunction(controlDict)
+        << "Time " << name << " is not whole: it was written with "
+        << file.c_str() << ", which is missing." << nl;
+
+    if (earlier >= 0)
+    {
+        FatalIOError
+            << "    Start from an earlier one (startFrom startTime; startTime "
+            << times_[earlier].time.name() << ";) or, if it" << nl
+            << "    is whole in the processor directories, reconstruct it";
+    }
+    else
+    {
+        FatalIOError
+            << "    If it is whole in the processor directories, reconstruct it";
+    }
+    FatalIOError
+        << ": reconstructPar -time " << name << nl << exit(FatalIOError);
+}
+
+
 // * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * * //
 
-Foam::completeTimes::completeTimes(const fileName& casePath)
+Foam::completeTimes::completeTimes
+(
+    const fileName& casePath,
+    const fileName& begunWith
+)
+:
+    casePath_(casePath),
+    begunWith_(begunWith),
+    first_(-1)
 {
     DynamicList<word> myNames;
     DynamicList<bool> myMarked;
+    DynamicList<bool> myWritten;
+    DynamicList<bool> myBegun;
     std::error_code error;
 
     for
@@ -66,85 +252,120 @@ Foam::completeTimes::completeTimes(const fileName& casePath)
 
         if (entry.is_directory(error) && readScalar(name, value))
         {
+            const fileName directory(casePath/name);
+
             myNames.append(word(name, false));
-            myMarked.append(incompleteMarker::found(casePath/name));
+            myMarked.append(incompleteMarker::found(directory));
+            myWritten.append(holds(directory, lastWritten));
+            myBegun.append(!begunWith.empty() && holds(directory, begunWith));
         }
     }
     const List<wordList> names(ofAllRanks<wordList>(myNames));
     const List<boolList> marked(ofAllRanks<boolList>(myMarked));
+    const List<boolList> written(ofAllRanks<boolList>(myWritten));
+    const List<boolList> begun(ofAllRanks<boolList>(myBegun));
 
     // By name: on how many ranks, and on which one marked
-    std::map<std::string, label> ranksWith;
-    std::map<std::string, label> markedOn;
+    struct found
+    {
+        label ranks = 0;
+        label markedOn = -1;
+        label written = 0;
+        label begun = 0;
+    };
+    std::map<std::string, found> all;
 
     forAll(names, proci)
     {
         forAll(names[proci], i)
         {
-            const word& name = names[proci][i];
+            found& time = all[names[proci][i]];
 
-            ++ranksWith[name];
-            if (marked[proci][i])
+            ++time.ranks;
+            time.written += written[proci][i];
+            time.begun += begun[proci][i];
+            if (marked[proci][i] && time.markedOn < 0)
             {
-                markedOn.emplace(name, proci);
+                time.markedOn = proci;
             }
         }
     }
 
-    DynamicList<instant> times;
-    for (const auto& [name, count] : ranksWith)
+    const label ranks = Pstream::nProcs();
+
+    for (const auto& [name, time] : all)
     {
         scalar value;
         readScalar(name, value);
-        times.append(instant(value, word(name, false)));
+
+        label incompleteOn = time.markedOn;
+        for (label proci = 0; incompleteOn < 0 && proci < ranks; ++proci)
+        {
+            if (time.ranks < ranks && !names[proci].found(word(name, false)))
+            {
+                incompleteOn = proci;
+            }
+        }
+        times_.push_back
+        ({
+            instant(value, word(name, false)),
+            incompleteOn,
+            time.written == ranks,
+            time.begun == ranks
+        });
     }
-    times_ = times;
     std::stable_sort
     (
         times_.begin(),
         times_.end(),
-        [](const instant& a, const instant& b){return a.value() < b.value();}
+        [](const folder& a, const folder& b)
+        {
+            return a.time.value() < b.time.value();
+        }
     );
 
-    incompleteOn_.setSize(times_.size(), -1);
-    forAll(times_, timei)
+    const auto first = std::find_if
+    (
+        times_.begin(), times_.end(), [](const folder& a){return a.begun;}
+    );
+    if (first != times_.end())
     {
-        const word& name = times_[timei].name();
-        const auto mark = markedOn.find(name);
-
-        if (mark != markedOn.end())
-        {
-            incompleteOn_[timei] = mark->second;
-        }
-        else if (ranksWith[name] < Pstream::nProcs())
-        {
-            forAll(names, proci)
-            {
-                if (!names[proci].found(name))
-                {
-                    incompleteOn_[timei] = proci;
-                    break;
-                }
-            }
-        }
+        first_ = first - times_.begin();
     }
 }
 
 
 // * * * * * * * * * * * * * * * Member functions  * * * * * * * * * * * * * //
 
-std::string Foam::completeTimes::names
+bool Foam::completeTimes::holds
 (
-    const label first,
-    const label last
-) const
+    const fileName& directory,
+    const fileName& file
+)
 {
-    std::string names;
-    for (label timei = first; timei < last; ++timei)
+    std::error_code error;
+    const std::filesystem::path path(std::string(directory/file));
+
+    if (std::filesystem::exists(path, error))
     {
-        names += (timei > first ? " " : "") + times_[timei].name();
+        return true;
     }
-    return names;
+    std::filesystem::path other(path);
+    if (path.extension() == ".gz")
+    {
+        other.replace_extension();
+    }
+    else
+    {
+        other += ".gz";
+    }
+    return std::filesystem::exists(other, error);
+}
+
+
+std::string Foam::completeTimes::names() const
+{
+    return names([](label){return true;});
 }
 
 
@@ -155,29 +376,57 @@ Foam::instant Foam::completeTimes::start(const dictionary& controlDict) const
         controlDict.getOrDefault<word>("startFrom", "latestTime")
     );
 
+    const label nTimes = times_.size();
+    const auto complete = [&](const label i)
+    {
+        return times_[i].incompleteOn < 0;
+    };
+    const auto mayStart = [&](const label i){return canStart(i);};
+
+    // Where none is the run's the program says what it misses
+    const bool any = lastOf(nTimes - 1, mayStart) >= 0;
+
     label wanted = -1;
+    label taken = -1;
 
     if (startFrom == "startTime")
     {
         const scalar value = controlDict.get<scalar>("startTime");
         wanted = find(value);
 
-        if (wanted < 0 && (times_.size() || value != 0))
+        if (wanted < 0 && (nTimes || value != 0))
         {
             FatalIOErrorInFunction(controlDict)
                 << "startTime " << value << " is not there. The case has "
-                << (times_.empty() ? "no times" : "the times ")
+                << (nTimes ? "the times " : "no times")
                 << names().c_str() << nl
+                << exit(FatalIOError);
+        }
+        if
+        (
+            wanted >= 0 && any && complete(wanted)
+         && !counts(wanted) && !times_[wanted].begun
+        )
+        {
+            FatalIOErrorInFunction(controlDict)
+                << "startTime " << times_[wanted].time.name() << " is not a"
+                << " time of the run: it has neither " << lastWritten
+                << " nor " << begunWith_ << nl
+                << "    A run can start from " << names(mayStart).c_str() << nl
                 << exit(FatalIOError);
         }
     }
     else if (startFrom == "firstTime")
     {
-        wanted = min(0, times_.size() - 1);
+        wanted = min(0, nTimes - 1);
+        while (any && complete(wanted) && !counts(wanted))
+        {
+            ++wanted;
+        }
     }
     else if (startFrom == "latestTime")
     {
-        wanted = times_.size() - 1;
+        wanted = nTimes - 1;
     }
     else
     {
@@ -191,28 +440,65 @@ Foam::instant Foam::completeTimes::start(const dictionary& controlDict) const
         return instant(0, word());
     }
 
-    const label taken = lastComplete(wanted);
-
-    if (taken < wanted)
+    if (startFrom == "startTime" && complete(wanted))
     {
-        const std::string skipped(names(taken + 1, wanted + 1));
-
-        if (taken < 0)
-        {
-            FatalIOErrorInFunction(controlDict)
-                << "No complete time to start from. Left incomplete by a run "
-                << "that was interrupted while it wrote:" << nl
-                << skipped.c_str() << nl
-                << "(uniform/incomplete is there, or they are not on every "
-                << "processor.) Remove them to start anew" << nl
-                << exit(FatalIOError);
-        }
-
-        Info<< "Left incomplete by an interrupted run, skipped: time "
-            << skipped.c_str() << nl
-            << "Start from the last complete time, " << times_[taken].name()
-            << nl << endl;
+        // Whatever it is, the user has named it
+        taken = wanted;
+    }
+    else if (any)
+    {
+        taken = lastOf(wanted, mayStart);
+    }
+    else
+    {
+        taken = lastOf(wanted, complete);
     }
 
-    return times_[taken];
+    const std::string interrupted
+    (
+        names
+        ([&](const label i){return i > taken && i <= wanted && !complete(i);})
+    );
+    const std::string foreign
+    (
+        names
+        ([&](const label i){return i > taken && i <= wanted && complete(i);})
+    );
+
+    if (taken < 0)
+    {
+        FatalIOErrorInFunction(controlDict)
+            << "No complete time to start from. Left incomplete by a run "
+            << "that was interrupted while it wrote:" << nl
+            << interrupted.c_str() << nl
+            << "(uniform/incomplete is there, or they are not on every "
+            << "processor.) Remove them to start anew" << nl
+            << exit(FatalIOError);
+    }
+
+    const word& name = times_[taken].time.name();
+
+    if (!foreign.empty())
+    {
+        Info<< "Not of the run (without " << lastWritten << "), skipped: time "
+            << foreign.c_str() << nl;
+    }
+    if (!interrupted.empty())
+    {
+        Info<< "Left incomplete by an interrupted run, skipped: time "
+            << interrupted.c_str() << nl
+            << "Start from the last complete time, " << name << nl;
+    }
+    if (taken < wanted)
+    {
+        Info<< endl;
+    }
+
+    const string lacking(missing(name));
+    if (!lacking.empty())
+    {
+        refuse(controlDict, taken, lacking);
+    }
+
+    return times_[taken].time;
 }

@@ -52,6 +52,7 @@ void Foam::exactTimeState::write(dictionary& dict) const
     dict.add("writeTimeIndex", writeTimeIndex);
     dict.add("writeControl", writeControl);
     dict.add("writeInterval", exactly(writeInterval));
+    dict.add("files", files);
 }
 
 
@@ -67,6 +68,13 @@ Foam::exactTimeState Foam::exactTimeState::read(const dictionary& dict)
     state.writeTimeIndex = dict.get<label>("writeTimeIndex");
     state.writeControl = dict.get<word>("writeControl");
     state.writeInterval = exactNumber(dict, "writeInterval");
+    state.files = filesOf(dict);
 
     return state;
+}
+
+
+Foam::fileNameList Foam::exactTimeState::filesOf(const dictionary& dict)
+{
+    return dict.getOrDefault("files", fileNameList());
 }

@@ -8,6 +8,7 @@
 #include "IOdictionary.H"
 #include "PstreamReduceOps.H"
 #include "argList.H"
+#include "checkControls.H"
 #include "chosenStart.H"
 #include "exactTimeState.H"
 #include "fileOperation.H"
@@ -61,43 +62,24 @@ bool functionObjectsWanted(const Foam::argList& args)
      && !args.found("noFunctionObjects");
 }
 
-
-//- FatalError if mpirun started several copies that know nothing of each other
-//  and would write the same files
-void refuseCopies()
-{
-    using namespace Foam;
-
-    // Open MPI; MPICH and its kin
-    for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
-    {
-        const string ranks(getEnv(variable));
-
-        if (!Pstream::parRun() && ranks.size() && ranks != "1")
-        {
-            FatalErrorInFunction
-                << "mpirun started " << ranks.c_str()
-                << " copies of a serial run. Add the option -parallel" << nl
-                << "    (serial runs of different cases under one mpirun: env -u "
-                << variable << " before the program's name)"
-                << exit(FatalError);
-        }
-    }
-}
-
 } // End anonymous namespace
 
 
 // * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * * //
 
-Foam::restartableTime::restartableTime(const argList& args)
+Foam::restartableTime::restartableTime
+(
+    const argList& args,
+    const fileName& begunWith
+)
 :
     restartableTime
     (
         args.rootPath(),
         args.caseName(),
         functionObjectsWanted(args),
-        !args.found("no-libs")
+        !args.found("no-libs"),
+        begunWith
     )
 {}
 
@@ -107,7 +89,8 @@ Foam::restartableTime::restartableTime
     const fileName& rootPath,
     const fileName& caseName,
     const bool enableFunctionObjects,
-    const bool enableLibs
+    const bool enableLibs,
+    const fileName& begunWith
 )
 :
     restartableTime
@@ -116,7 +99,7 @@ Foam::restartableTime::restartableTime
         caseName,
         enableFunctionObjects,
         enableLibs,
-        chosenStart(rootPath, caseName)
+        chosenStart(rootPath, caseName, begunWith)
     )
 {}
 
@@ -147,7 +130,6 @@ Foam::restartableTime::restartableTime
 {
     purgeWrite_ = 0;
     setLogDigits();
-    refuseCopies();
 
     // Time can't know which file its dictionary came from
     if (runTimeModifiable())
@@ -367,6 +349,20 @@ bool Foam::restartableTime::writeExactState() const
     state.writeControl = writeControlNames[writeControl_];
     state.writeInterval = writeInterval_;
 
+    const fileName directory(timePath());
+    if
+    (
+        !wholeFiles::writtenSince
+        (
+            directory,
+            incompleteMarker::path(directory),
+            state.files
+        )
+    )
+    {
+        return false;
+    }
+
     IOdictionary dict
     (
         IOobject
@@ -480,7 +476,10 @@ bool Foam::restartableTime::writeObjects(const bool valid) const
     const bool throwing = FatalIOError.throwExceptions();
     try
     {
-        const bool written = Time::write(valid) && writeExactState();
+        // Of all ranks first: with masterUncollated one writes for all
+        const bool written =
+            returnReduce(Time::write(valid), andOp<bool>())
+         && writeExactState();
         FatalIOError.throwExceptions(throwing);
         return written;
     }
@@ -505,6 +504,7 @@ bool Foam::restartableTime::writeObjects(const bool valid) const
 
 void Foam::restartableTime::readDict()
 {
+    checkControls(controlDict());
     Time::readDict();
 
     timesKept_ = max(0, controlDict().getOrDefault<label>("purgeWrite", 0));
@@ -538,7 +538,7 @@ bool Foam::restartableTime::write(const bool valid) const
       : string("can't create " + marker)
     );
 
-    // Together, since with masterUncollated one rank writes for all
+    // Likewise
     const bool written = returnReduce(writeObjects(valid), andOp<bool>());
     const fileName broken(firstBroken());
 

@@ -137,7 +137,12 @@ bool isWhole(const fileName& file)
 }
 
 
-fileName firstBroken(const fileName& directory, const fileName& since)
+bool writtenSince
+(
+    const fileName& directory,
+    const fileName& since,
+    fileNameList& files
+)
 {
     namespace fs = std::filesystem;
 
@@ -145,10 +150,10 @@ fileName firstBroken(const fileName& directory, const fileName& since)
     const auto begun = fs::last_write_time(asPath(since), error);
     if (error)
     {
-        return since;
+        return false;
     }
 
-    std::vector<std::string> files;
+    std::vector<std::string> found;
     fs::recursive_directory_iterator entries(asPath(directory), error);
 
     for (const auto& entry : entries)
@@ -160,21 +165,41 @@ fileName firstBroken(const fileName& directory, const fileName& since)
          && entry.last_write_time(error) >= begun
         )
         {
-            files.push_back(entry.path().string());
+            found.push_back
+            (
+                entry.path().lexically_relative(asPath(directory)).string()
+            );
         }
     }
-    if (error)
+
+    std::sort(found.begin(), found.end());
+
+    files.resize(found.size());
+    std::copy(found.begin(), found.end(), files.begin());
+
+    return !error;
+}
+
+
+fileName firstBroken(const fileName& directory, const fileName& since)
+{
+    std::error_code error;
+    fileNameList files;
+
+    if (!std::filesystem::exists(asPath(since), error))
+    {
+        return since;
+    }
+    if (!writtenSince(directory, since, files))
     {
         return directory;
     }
 
-    std::sort(files.begin(), files.end());
-
-    for (const std::string& file : files)
+    for (const fileName& file : files)
     {
-        if (!isWhole(file))
+        if (!isWhole(directory/file))
         {
-            return file;
+            return directory/file;
         }
     }
 

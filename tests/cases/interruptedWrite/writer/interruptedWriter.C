@@ -81,6 +81,7 @@ int main(int argc, char *argv[])
     argList::addOption("killRank", "n", "And only this rank");
 
     #include "setRootCase.H"
+    const fileName begunWith;
     #include "createRestartableTime.H"
 
     const label size = args.getOrDefault<label>("size", 5000);
