@@ -5,7 +5,7 @@ set terminal pngcairo size 1200, 560 font "sans,13"
 set output "plots/diffusivity.png"
 table(name) = sprintf("runs/layer/%s.dat", name)
 
-set multiplot layout 1, 2 margins 0.075, 0.975, 0.12, 0.92 spacing 0.085
+set multiplot layout 1, 2 margins 0.09, 0.975, 0.12, 0.92 spacing 0.095
 set grid lt 1 lw 1 lc rgb "#e4e4e4"
 set key samplen 2.5 spacing 1.2
 set xlabel "solid fraction [-]"
@@ -16,7 +16,7 @@ set xtics (0.001, 0.002, 0.003, "" 0.004, 0.005, "" 0.006, 0.007, "" 0.008, "" 0
 set title "platelets in water of 0.1 mol/m³"
 set ylabel "D [10^{-12} m²/s]"
 set logscale y
-set yrange [1:2000]
+set yrange [1:20000]
 set key top left Left reverse
 plot table("Liu") using 1:($2*1e12) with lines lw 2.5 dt 2 lc rgb "#000000" title "Liu et al. (eq. 3-4): a stack of sheets", \
     table("equilibrium") using 1:($2*1e12) with lines lw 2.5 lc rgb 0xE69F00 title "platelets at equilibrium, (1/{/Symbol x}) dp/dn", \
