@@ -491,7 +491,8 @@ flowCase::flowCase(const boxSpec& spec)
             word(Time::controlDictName),
             folder_.path(),
             folder_.name()/processor_,
-            word("system")
+            word("system"),
+            word("constant")    // left out, v2306 takes another constructor
         )
     );
     makeMesh(spec);

@@ -103,11 +103,15 @@ void Foam::clayCloud::sampleDrag(const volVectorField& Uwater)
     // the mesh, this is the same on any number of ranks
     const tmp<volTensorField> gradU(fvc::grad(Uwater));
 
+    // Not mesh_.C(): from v2306 on it is made by all ranks together, and a rank
+    // without platelets would not ask for it
+    const vectorField& centres = mesh_.cellCentres();
+
     for (std::size_t i = 0; i < local.size(); ++i)
     {
         const clayPlatelet& platelet = *platelets_[local.tag[i]];
         const label celli = platelet.cell();
-        const vector fromCentre(platelet.position() - mesh_.C()[celli]);
+        const vector fromCentre(platelet.position() - centres[celli]);
 
         local.waterVelocity[i] =
             reduced(Uwater[celli] + (fromCentre & gradU()[celli]), unit);
@@ -132,12 +136,13 @@ void Foam::clayCloud::sampleFriction()
 
     const plateletDynamics::stopwatch timing(frictionSeconds_);
     const tmp<volVectorField> gradAlpha(fvc::grad(alpha_));
+    const vectorField& centres = mesh_.cellCentres();
 
     for (std::size_t i = 0; i < local.size(); ++i)
     {
         const clayPlatelet& platelet = *platelets_[local.tag[i]];
         const label celli = platelet.cell();
-        const vector fromCentre(platelet.position() - mesh_.C()[celli]);
+        const vector fromCentre(platelet.position() - centres[celli]);
         const scalar linear =
             alpha_[celli] + (fromCentre & gradAlpha()[celli]);
         const scalar alpha = min(max(linear, scalar(0)), scalar(0.99));

@@ -108,6 +108,9 @@ plateletDynamics::boundarySurface Foam::waterLimits::triangles
     DynamicList<FixedList<point, 3>> corners;
     DynamicList<label> patchOf;
 
+    // Made by all ranks together; some may have no face here
+    mesh.tetBasePtIs();
+
     forAll(mesh.boundaryMesh(), patchi)
     {
         const polyPatch& patch = mesh.boundaryMesh()[patchi];

@@ -141,6 +141,8 @@ void Foam::clayFlux::addAdvection
         byNeighbour[facei] *= slope[mesh_.neighbour()[facei]];
     }
     addDerivatives(*derivatives, byOwner, byNeighbour);
+
+    const surfaceScalarField& weights = mesh_.weights();
     forAll(F.boundaryField(), patchi)
     {
         const fvPatchScalarField& patch = alpha_.boundaryField()[patchi];
@@ -168,7 +170,7 @@ void Foam::clayFlux::addAdvection
                 patchSlope*patchPhi
                *patch.valueInternalCoeffs
                 (
-                    mesh_.weights().boundaryField()[patchi]
+                    weights.boundaryField()[patchi]
                 );
         }
     }
@@ -248,6 +250,9 @@ void Foam::clayFlux::addDiffusion
         addDerivatives(*derivatives, byOwner, byNeighbour);
     }
 
+    const surfaceScalarField& weights = mesh_.weights();
+    const surfaceScalarField& deltaCoeffs = mesh_.nonOrthDeltaCoeffs();
+
     forAll(J.boundaryField(), patchi)
     {
         const fvPatchScalarField& patch = alpha_.boundaryField()[patchi];
@@ -277,9 +282,9 @@ void Foam::clayFlux::addDiffusion
           : coupled
           ? scalarField
             (
-                mesh_.weights().boundaryField()[patchi]
+                weights.boundaryField()[patchi]
                *salt_->boundaryField()[patchi].patchInternalField()
-              + (1 - mesh_.weights().boundaryField()[patchi])
+              + (1 - weights.boundaryField()[patchi])
                *salt_->boundaryField()[patchi].patchNeighbourField()
             )
           : scalarField(salt_->boundaryField()[patchi])
@@ -315,7 +320,7 @@ void Foam::clayFlux::addDiffusion
               ? (there.potential - here.potential)/step
               : here.diffusivity;
             const scalar area =
-                G[i]/mesh_.nonOrthDeltaCoeffs().boundaryField()[patchi][i];
+                G[i]/deltaCoeffs.boundaryField()[patchi][i];
 
             patchJ[i] -= area*mean*gradient[i];
 
@@ -460,6 +465,7 @@ void Foam::clayFlux::addSettling
         addDerivatives(*derivatives, byOwner, byNeighbour);
     }
 
+    const surfaceScalarField& weights = mesh_.weights();
     forAll(F.boundaryField(), patchi)
     {
         const fvPatchScalarField& patch = alpha_.boundaryField()[patchi];
@@ -482,7 +488,7 @@ void Foam::clayFlux::addSettling
           ? scalarField()
           : patch.valueInternalCoeffs
             (
-                mesh_.weights().boundaryField()[patchi]
+                weights.boundaryField()[patchi]
             )()
         );
 

@@ -82,10 +82,13 @@ void Foam::functionObjects::clayProfile::divide()
     lowest_ = gMin(height);
     thickness_ = (gMax(height) - lowest_)/slabs_;
 
+    const vectorField& centres = mesh_.cellCentres();
+    const scalarField& volumes = mesh_.cellVolumes();
+
     slabOf_.setSize(mesh_.nCells());
     forAll(slabOf_, celli)
     {
-        const scalar above = (mesh_.C()[celli] & direction_) - lowest_;
+        const scalar above = (centres[celli] & direction_) - lowest_;
 
         // A centre between two slabs is in the upper one, whatever its rounding,
         // which other ranks do differently
@@ -96,7 +99,7 @@ void Foam::functionObjects::clayProfile::divide()
     volume_ = scalarField(slabs_, Zero);
     forAll(slabOf_, celli)
     {
-        volume_[slabOf_[celli]] += mesh_.V()[celli];
+        volume_[slabOf_[celli]] += volumes[celli];
     }
     sumOfRanks(volume_);
 }

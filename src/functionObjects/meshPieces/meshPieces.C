@@ -20,6 +20,8 @@ Foam::meshPieces::meshPieces
     pieceOf_(mesh.nCells(), Zero),
     size_(1)
 {
+    const vectorField& centres = mesh.cellCentres();
+
     for (direction axis = 0; axis < 3; ++axis)
     {
         const scalar extent = axes.upper(axis) - axes.lower(axis);
@@ -30,7 +32,7 @@ Foam::meshPieces::meshPieces
         forAll(pieceOf_, celli)
         {
             const scalar share =
-                (mesh.C()[celli][axis] - axes.lower(axis))/extent;
+                (centres[celli][axis] - axes.lower(axis))/extent;
 
             pieceOf_[celli] +=
                 size_*max(label(0), min(label(share*number), number - 1));

@@ -42,20 +42,22 @@ void Foam::functionObjects::rimErosion::readSource(const dictionary& dict)
                 dimensionedScalar(dimLength, Zero)
             )
         );
+        const Vector<label>& solved = mesh_.solutionD();
         const auto fromEdge = [&](vector offset)
         {
             for (direction axis = 0; axis < 3; ++axis)
             {
-                if (mesh_.solutionD()[axis] < 0)
+                if (solved[axis] < 0)
                 {
                     offset[axis] = 0;
                 }
             }
             return mag(offset) - radius;
         };
-        forAll(mesh_.C(), celli)
+        const vectorField& centres = mesh_.cellCentres();
+        forAll(centres, celli)
         {
-            distance_()[celli] = fromEdge(mesh_.C()[celli] - centre);
+            distance_()[celli] = fromEdge(centres[celli] - centre);
         }
         distance_->correctBoundaryConditions();
         return;
@@ -84,6 +86,7 @@ Foam::functionObjects::rimErosion::front(const scalar fraction) const
 {
     const auto& alpha = lookupObject<volScalarField>("alpha.clay");
     const volScalarField& distance = distance_();
+    const surfaceScalarField& areas = mesh_.magSf();
 
     scalar farthest = -GREAT;
     scalar weighted = 0;
@@ -118,7 +121,7 @@ Foam::functionObjects::rimErosion::front(const scalar fraction) const
         add
         (
             alpha[o], alpha[n], distance[o], distance[n],
-            mesh_.magSf()[facei]
+            areas[facei]
         );
     }
     forAll(alpha.boundaryField(), patchi)
@@ -141,7 +144,7 @@ Foam::functionObjects::rimErosion::front(const scalar fraction) const
             add
             (
                 here[i], there[i], from[i], to[i],
-                0.5*mesh_.magSf().boundaryField()[patchi][i]
+                0.5*areas.boundaryField()[patchi][i]
             );
         }
     }
