@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace Foam;
 
 namespace
@@ -33,36 +35,46 @@ rowsById dealt(const label number)
     List<vectorField> columns(2);
     columns[0] = once;
     columns[1] = squared;
-    return rowsById(std::move(ids), std::move(columns));
+    return rowsById(ids, columns);
 }
 
 } // End anonymous namespace
 
 
-TEST(rowsById, areInTheOrderOfIdsOverAllRanks)
+TEST(rowsById, areThoseOfTheirIdsOverAllRanks)
 {
     const label number = 1001;
     const rowsById rows(dealt(number));
 
-    EXPECT_EQ(rows.total, number);
-    EXPECT_EQ(returnReduce(rows.ids.size(), sumOp<label>()), number);
+    EXPECT_EQ(rows.number, number);
+    EXPECT_EQ(rows.total, 3*(number - 1) + 1);
+    EXPECT_EQ(returnReduce(rows.ids.size(), sumOp<label>()), rows.total);
     ASSERT_EQ(rows.columns.size(), 2);
 
-    // Without gaps in the rows, the id says which row it is
-    forAll(rows.ids, row)
+    forAll(rows.ids, i)
     {
-        const scalar id = rows.ids[row];
-        EXPECT_EQ(rows.ids[row], 3*(rows.first + row));
-        EXPECT_EQ(rows.columns[0][row], vector(id, -id, 0.5));
-        EXPECT_EQ(rows.columns[1][row], vector(id*id, 0, id));
+        const label row = rows.first + i;
+        const scalar id = row;
+        if (row % 3 == 0)
+        {
+            EXPECT_EQ(rows.ids[i], row);
+            EXPECT_EQ(rows.columns[0][i], vector(id, -id, 0.5));
+            EXPECT_EQ(rows.columns[1][i], vector(id*id, 0, id));
+        }
+        else
+        {
+            EXPECT_EQ(rows.ids[i], -1);
+            EXPECT_TRUE(std::isnan(rows.columns[0][i].x()));
+            EXPECT_TRUE(std::isnan(rows.columns[1][i].z()));
+        }
     }
 }
 
 
-TEST(rowsById, areSharedEvenlyWhereNoIdIsMissing)
+TEST(rowsById, areSharedEvenly)
 {
     const rowsById rows(dealt(1001));
-    EXPECT_NEAR(rows.ids.size(), 1001.0/Pstream::nProcs(), 2);
+    EXPECT_NEAR(rows.ids.size(), 3001.0/Pstream::nProcs(), 4);
 }
 
 
@@ -71,7 +83,10 @@ TEST(rowsById, mayBeFewerThanRanks)
     for (const label number : {0, 1, 2})
     {
         const rowsById rows(dealt(number));
-        EXPECT_EQ(rows.total, number);
-        EXPECT_EQ(returnReduce(rows.ids.size(), sumOp<label>()), number);
+        const label total = max(label(0), 3*(number - 1) + 1);
+
+        EXPECT_EQ(rows.number, number);
+        EXPECT_EQ(rows.total, total);
+        EXPECT_EQ(returnReduce(rows.ids.size(), sumOp<label>()), total);
     }
 }

@@ -96,9 +96,17 @@ std::string Foam::h5Access::textOf
         attempted
     );
     const h5Handle type(H5Aget_type(attribute), H5Tclose, attempted);
-    if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0)
+    if (H5Tget_class(type) != H5T_STRING)
     {
         return std::string();
+    }
+    if (H5Tis_variable_str(type) > 0)
+    {
+        char* found = nullptr;
+        h5Checked(H5Aread(attribute, type, &found), attempted);
+        const std::string text(found ? found : "");
+        H5free_memory(found);
+        return text;
     }
     std::string text(H5Tget_size(type) + 1, '\0');
     h5Checked(H5Aread(attribute, type, &text[0]), attempted);

@@ -117,7 +117,7 @@ Foam::rowsById Foam::functionObjects::h5Trajectory::rows() const
     {
         column.setSize(row);
     }
-    return rowsById(std::move(ids), std::move(columns));
+    return rowsById(ids, columns);
 }
 
 
@@ -160,11 +160,9 @@ void Foam::functionObjects::h5Trajectory::begin
     (
         lookupObject<Cloud<clayPlatelet>>("clay").size(), sumOp<label>()
     );
-    const periodicAxes box(mesh_);
-
     const string problem = problemOfMaster
     (
-        [&]{ beginAlone(box, number, compression); }
+        [&]{ beginAlone(number, compression); }
     );
     if (!problem.empty())
     {
@@ -181,7 +179,6 @@ void Foam::functionObjects::h5Trajectory::begin
 
 void Foam::functionObjects::h5Trajectory::beginAlone
 (
-    const periodicAxes& box,
     const label number,
     const label compression
 )
@@ -194,7 +191,7 @@ void Foam::functionObjects::h5Trajectory::beginAlone
 
     if (!isThere || time_.timeIndex() == 0)
     {
-        file_->create(box, number, compression);
+        file_->create(number, compression);
         written_ = h5mdFile::contents();
     }
     else
@@ -220,10 +217,10 @@ void Foam::functionObjects::h5Trajectory::beginAlone
 
         file_->cut(written_, frames);
         written_.times.setSize(frames);
-        written_.numbers.setSize(frames);
+        written_.rows.setSize(frames);
     }
 
-    xdmfSidecar::write(path, fields_, written_.times, written_.numbers);
+    xdmfSidecar::write(path, fields_, written_.times, written_.rows);
 }
 
 
@@ -315,7 +312,7 @@ bool Foam::functionObjects::h5Trajectory::read(const dictionary& dict)
     }
 
     fields_ = readFields(dict);
-    file_ = std::make_unique<h5mdFile>(path, fields_);
+    file_ = std::make_unique<h5mdFile>(path, fields_, periodicAxes(mesh_));
     begin
     (
         dict,
@@ -355,10 +352,10 @@ bool Foam::functionObjects::h5Trajectory::write()
         [&]
         {
             written_.times.append(time_.value());
-            written_.numbers.append(now.total);
+            written_.rows.append(now.total);
             xdmfSidecar::write
             (
-                file_->path(), fields_, written_.times, written_.numbers
+                file_->path(), fields_, written_.times, written_.rows
             );
         }
     );

@@ -67,7 +67,7 @@ std::size_t mostBytes
 (
     const fileName& path,
     const label fields,
-    const hsize_t number
+    const hsize_t needed
 )
 {
     const std::string attempted("to get the size of chunks");
@@ -87,15 +87,17 @@ std::size_t mostBytes
         return (n + chunk[1] - 1)/chunk[1];
     };
     const bool compressed = H5Pget_nfilters(form) > 0;
-    const hsize_t added = chunks(std::max(number, rows)) - chunks(rows);
+    const hsize_t added = chunks(std::max(needed, rows)) - chunks(rows);
     const hsize_t bytesOfChunk =
         chunk[1]*(sizeof(std::int64_t) + 3*sizeof(double)*fields);
 
     // What a frame needs in the library's indices, and chunks of numbers
-    constexpr hsize_t own = 65536 + 3*framesOfChunk*sizeof(double);
+    constexpr hsize_t own =
+        65536
+      + (series.size()*framesOfChunk + 9*boxesOfChunk)*sizeof(double);
 
     return
-        own + chunks(number)*bytesOfChunk
+        own + chunks(needed)*bytesOfChunk
       + frames*added*bytesOfChunk/(compressed ? 100 : 1);
 }
 
@@ -158,33 +160,37 @@ void writeRows
 }
 
 
-//- Write the frame's value of a series of numbers, by the master. Collective
-void appendNumber
+//- Write the frame's value of a series of numbers, or of matrices of that many
+//  columns, by the master. Collective
+void appendValue
 (
     const hid_t file,
     const char* path,
     const hid_t type,
     const hsize_t frame,
-    const void* value
+    const void* value,
+    const hsize_t columns = 0
 )
 {
     const std::string attempted(std::string("to write ") + path);
     const h5Handle dataset(openDataset(file, path));
-    setExtents(dataset, {frame + 1});
+    setExtents(dataset, {frame + 1, columns, columns});
 
     if (Pstream::master())
     {
-        const hsize_t one = 1;
+        const hsize_t start[] = {frame, 0, 0};
+        const hsize_t counts[] = {1, columns, columns};
         const h5Handle space(H5Dget_space(dataset), H5Sclose, attempted);
         const h5Handle memory
         (
-            H5Screate_simple(1, &one, nullptr), H5Sclose, attempted
+            H5Screate_simple(columns ? 3 : 1, counts, nullptr), H5Sclose,
+            attempted
         );
         h5Checked
         (
             H5Sselect_hyperslab
             (
-                space, H5S_SELECT_SET, &frame, nullptr, &one, nullptr
+                space, H5S_SELECT_SET, start, nullptr, counts, nullptr
             ),
             attempted
         );
@@ -211,10 +217,16 @@ const Foam::wordList& Foam::h5mdFile::validFields()
 }
 
 
-Foam::h5mdFile::h5mdFile(const fileName& path, const wordList& fields)
+Foam::h5mdFile::h5mdFile
+(
+    const fileName& path,
+    const wordList& fields,
+    const periodicAxes& box
+)
 :
     path_(path),
-    fields_(fields)
+    fields_(fields),
+    box_(box)
 {
     prepareHDF5();
 }
@@ -231,18 +243,26 @@ Foam::h5mdFile::contents Foam::h5mdFile::read() const
             std::string("it is not a trajectory that ") + creator + " made"
         );
     }
+    if (!h5Access::exists(file, rowsPath))
+    {
+        throw std::runtime_error
+        (
+            std::string("it is of an earlier version of ") + creator
+          + ", whose rows were not the same platelet's in all frames"
+        );
+    }
 
     contents found;
     for (const word& field : validFields())
     {
-        if (exists(file, vectorsPath(field)))
+        if (h5Access::exists(file, vectorsPath(field)))
         {
             found.fields.append(field);
         }
     }
 
     hsize_t frames = std::numeric_limits<label>::max();
-    for (const char* path : {numberPath, stepPath, timePath})
+    for (const char* path : series)
     {
         frames = std::min(frames, extents(openDataset(file, path))[0]);
     }
@@ -253,16 +273,16 @@ Foam::h5mdFile::contents Foam::h5mdFile::read() const
 
     const auto times =
         readFirst<double>(file, timePath, H5T_NATIVE_DOUBLE, label(frames));
-    const auto numbers =
+    const auto rows =
         readFirst<std::int64_t>
         (
-            file, numberPath, H5T_NATIVE_INT64, label(frames)
+            file, rowsPath, H5T_NATIVE_INT64, label(frames)
         );
 
     found.times.setSize(label(frames));
-    found.numbers.setSize(label(frames));
+    found.rows.setSize(label(frames));
     std::copy(times.begin(), times.end(), found.times.begin());
-    std::copy(numbers.begin(), numbers.end(), found.numbers.begin());
+    std::copy(rows.begin(), rows.end(), found.rows.begin());
 
     return found;
 }
@@ -273,13 +293,13 @@ void Foam::h5mdFile::cut(const contents& before, const label frames) const
     hsize_t rows = 0;
     for (label frame = 0; frame < frames; ++frame)
     {
-        rows = std::max(rows, hsize_t(before.numbers[frame]));
+        rows = std::max(rows, hsize_t(before.rows[frame]));
     }
 
     h5Handle file(openFile(path_, H5F_ACC_RDWR, by::one));
 
     // As in append: what makes frames count on the disk before the rest
-    for (const char* path : {timePath, stepPath, numberPath})
+    for (const char* path : series)
     {
         setExtents(openDataset(file, path), {hsize_t(frames)});
     }
@@ -289,13 +309,17 @@ void Foam::h5mdFile::cut(const contents& before, const label frames) const
     {
         setExtents(openDataset(file, path), {hsize_t(frames), rows, 3});
     }
+    if (h5Access::exists(file, edgesPath))
+    {
+        setExtents(openDataset(file, edgesPath), {hsize_t(frames), 3, 3});
+    }
     file.close("to cut frames");
 }
 
 
-void Foam::h5mdFile::reserve(const label number) const
+void Foam::h5mdFile::reserve(const label rows) const
 {
-    diskRoom::reserve(path_, mostBytes(path_, fields_.size(), number));
+    diskRoom::reserve(path_, mostBytes(path_, fields_.size(), rows));
 }
 
 
@@ -313,12 +337,14 @@ void Foam::h5mdFile::append
     // file is, without which nobody can read what is at its end
     h5Handle file(openFile(path_, H5F_ACC_RDWR, by::all));
 
-    const std::int64_t numberNow = rows.total;
+    const std::int64_t numberNow = rows.number;
+    const std::int64_t rowsNow = rows.total;
     const std::int64_t stepNow = step;
     const double timeNow = time;
-    appendNumber(file, numberPath, H5T_NATIVE_INT64, frames, &numberNow);
-    appendNumber(file, stepPath, H5T_NATIVE_INT64, frames, &stepNow);
-    appendNumber(file, timePath, H5T_NATIVE_DOUBLE, frames, &timeNow);
+    appendValue(file, numberPath, H5T_NATIVE_INT64, frames, &numberNow);
+    appendValue(file, rowsPath, H5T_NATIVE_INT64, frames, &rowsNow);
+    appendValue(file, stepPath, H5T_NATIVE_INT64, frames, &stepNow);
+    appendValue(file, timePath, H5T_NATIVE_DOUBLE, frames, &timeNow);
 
     file.close("to write a frame");
 }
@@ -375,6 +401,15 @@ void Foam::h5mdFile::appendRows(const label frames, const rowsById& rows) const
             3,
             rows.columns[i].cdata()
         );
+    }
+    if (h5Access::exists(file, edgesPath))
+    {
+        double edges[3][3] = {};
+        for (direction axis = 0; axis < 3; ++axis)
+        {
+            edges[axis][axis] = box_.upper(axis) - box_.lower(axis);
+        }
+        appendValue(file, edgesPath, H5T_NATIVE_DOUBLE, frame, edges, 3);
     }
     file.close("to write a frame");
 }

@@ -8,7 +8,6 @@
 
 #include "OSspecific.H"
 #include "foamVersion.H"
-#include "periodicAxes.H"
 
 #include <limits>
 
@@ -63,19 +62,21 @@ void setAttribute
 }
 
 
-//- Texts of one length, as H5MD wants them
-h5Handle textType(const std::size_t length)
+//- Texts of variable length: those that h5py, and so MDAnalysis, takes for texts
+h5Handle textType()
 {
     h5Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "to make a type of text");
-    h5Checked(H5Tset_size(type, length), "to set the length of a text");
+    h5Checked(H5Tset_size(type, H5T_VARIABLE), "to make a type of text");
+    h5Checked(H5Tset_cset(type, H5T_CSET_UTF8), "to make a type of text");
     return type;
 }
 
 
 void setText(const hid_t where, const char* name, const std::string& text)
 {
-    const h5Handle type(textType(text.size() + 1));
-    setAttribute(where, name, type, 0, text.c_str());
+    const h5Handle type(textType());
+    const char* const start = text.c_str();
+    setAttribute(where, name, type, 0, &start);
 }
 
 
@@ -156,24 +157,82 @@ void makeHead(const hid_t file)
 }
 
 
+//- The step and time of all frames, in the folder of a dataset
+void linkTimes(const hid_t file, const std::string& values)
+{
+    const std::string folder(values.substr(0, values.rfind('/')));
+    const auto link = [&](const char* from, const std::string& to)
+    {
+        h5Checked
+        (
+            H5Lcreate_hard
+            (
+                file, from, file, to.c_str(), H5P_DEFAULT, H5P_DEFAULT
+            ),
+            "to make " + to
+        );
+    };
+    link(h5mdLayout::stepPath, folder + "/step");
+    link(h5mdLayout::timePath, folder + "/time");
+}
+
+
+//- An empty dataset of boxes, one per frame
+void makeEdges(const hid_t file)
+{
+    const std::string attempted("to make the box");
+    const hsize_t extent[] = {0, 3, 3};
+    const hsize_t most[] = {H5S_UNLIMITED, 3, 3};
+    const hsize_t chunk[] = {h5mdLayout::boxesOfChunk, 3, 3};
+
+    const h5Handle space
+    (
+        H5Screate_simple(3, extent, most), H5Sclose, attempted
+    );
+    const h5Handle groups(H5Pcreate(H5P_LINK_CREATE), H5Pclose, attempted);
+    h5Checked(H5Pset_create_intermediate_group(groups, 1), attempted);
+    const h5Handle form(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, attempted);
+    h5Checked(H5Pset_chunk(form, 3, chunk), attempted);
+    h5Checked(H5Pset_alloc_time(form, H5D_ALLOC_TIME_EARLY), attempted);
+
+    const h5Handle edges
+    (
+        H5Dcreate2
+        (
+            file, h5mdLayout::edgesPath, H5T_IEEE_F64LE, space, groups, form,
+            H5P_DEFAULT
+        ),
+        H5Dclose,
+        attempted
+    );
+    linkTimes(file, h5mdLayout::edgesPath);
+}
+
+
 void makeBox(const hid_t file, const periodicAxes& axes)
 {
     const h5Handle box(makeGroup(file, "/particles/clay/box"));
     const int dimension = 3;
     setAttribute(box, "dimension", H5T_NATIVE_INT, 0, &dimension);
 
-    constexpr std::size_t width = sizeof("periodic");
-    char boundary[3][width] = {};
-    double edges[3], origin[3];
+    const char* boundary[3];
+    double extent[3], origin[3];
+    bool anyPeriodic = false;
     for (direction axis = 0; axis < 3; ++axis)
     {
-        std::string(axes.periodic(axis) ? "periodic" : "none")
-           .copy(boundary[axis], width);
-        edges[axis] = axes.upper(axis) - axes.lower(axis);
+        boundary[axis] = axes.periodic(axis) ? "periodic" : "none";
+        extent[axis] = axes.upper(axis) - axes.lower(axis);
         origin[axis] = axes.lower(axis);
+        anyPeriodic = anyPeriodic || axes.periodic(axis);
     }
-    const h5Handle type(textType(width));
+    const h5Handle type(textType());
     setAttribute(box, "boundary", type, 3, boundary);
+
+    // Readers that find edges take all of them for periods
+    if (anyPeriodic)
+    {
+        makeEdges(file);
+    }
 
     const hsize_t three = 3;
     const h5Handle space
@@ -201,32 +260,11 @@ void makeBox(const hid_t file, const periodicAxes& axes)
             ),
             "to write the box"
         );
-        setText(dataset, "unit", "m");
     };
-    makeVector("edges", edges);
 
     // H5MD has boxes begin at 0; meshes may begin elsewhere
     makeVector("origin", origin);
-}
-
-
-//- The step and time of all frames, beside a dataset
-void linkTimes(const hid_t file, const std::string& values)
-{
-    const std::string folder(values.substr(0, values.rfind('/')));
-    const auto link = [&](const char* from, const std::string& to)
-    {
-        h5Checked
-        (
-            H5Lcreate_hard
-            (
-                file, from, file, to.c_str(), H5P_DEFAULT, H5P_DEFAULT
-            ),
-            "to make " + to
-        );
-    };
-    link(h5mdLayout::stepPath, folder + "/step");
-    link(h5mdLayout::timePath, folder + "/time");
+    makeVector("extent", extent);
 }
 
 
@@ -247,6 +285,7 @@ void makeAll
 
     makeHead(file);
     makeSeries(file, numberPath, H5T_STD_I64LE, &none, 0, 0, 0);
+    makeSeries(file, rowsPath, H5T_STD_I64LE, &none, 0, 0, 0);
     makeSeries(file, stepPath, H5T_STD_I64LE, &none, 0, 0, 0);
     setText
     (
@@ -254,6 +293,7 @@ void makeAll
         "unit",
         "s"
     );
+    linkTimes(file, rowsPath);
 
     makeSeries(file, idPath, H5T_STD_I64LE, &noId, rows, 0, compression);
     linkTimes(file, idPath);
@@ -262,15 +302,17 @@ void makeAll
         if (fields.found(name))
         {
             const std::string path(vectorsPath(name));
-            setText
+            const h5Handle made
             (
                 makeSeries
                 (
                     file, path, H5T_IEEE_F64LE, &noValue, rows, 3, compression
-                ),
-                "unit",
-                unit
+                )
             );
+            if (*unit)
+            {
+                setText(made, "unit", unit);
+            }
             linkTimes(file, path);
         }
     }
@@ -282,12 +324,7 @@ void makeAll
 
 // * * * * * * * * * * * * * * * Member functions  * * * * * * * * * * * * * //
 
-void Foam::h5mdFile::create
-(
-    const periodicAxes& box,
-    const label number,
-    const label compression
-) const
+void Foam::h5mdFile::create(const label number, const label compression) const
 {
     // Made beside its place and moved there when it is whole
     const fileName unfinished(path_ + ".new");
@@ -306,7 +343,7 @@ void Foam::h5mdFile::create
         (
             file,
             fields_,
-            box,
+            box_,
             std::min(std::max(hsize_t(number), smallestChunk), largestChunk),
             compression
         );

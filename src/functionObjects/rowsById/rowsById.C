@@ -4,54 +4,74 @@
 \*---------------------------------------------------------------------------*/
 
 #include "rowsById.H"
-#include "ofAllRanks.H"
 
 #include "ListOps.H"
 #include "PstreamBuffers.H"
 #include "PstreamReduceOps.H"
 
-#include <utility>
+#include <limits>
 
 Foam::rowsById::rowsById
 (
-    labelList&& unsortedIds,
-    List<vectorField>&& unsortedColumns
+    const labelUList& unsortedIds,
+    const List<vectorField>& unsorted
 )
 :
-    ids(std::move(unsortedIds)),
-    columns(std::move(unsortedColumns))
+    columns(unsorted.size())
 {
+    label largest = -1;
+    for (const label id : unsortedIds)
+    {
+        largest = max(largest, id);
+    }
+    total = returnReduce(largest, maxOp<label>()) + 1;
+    number = returnReduce(unsortedIds.size(), sumOp<label>());
+
+    const label ranks = Pstream::parRun() ? Pstream::nProcs() : 1;
+    const label rank = Pstream::parRun() ? Pstream::myProcNo() : 0;
+    const label rowsPerRank = max(label(1), (total + ranks - 1)/ranks);
+    first = min(rank*rowsPerRank, total);
+
+    labelList found(unsortedIds);
+    List<vectorField> values(unsorted);
     if (Pstream::parRun())
     {
-        exchange();
+        exchange(found, values, rowsPerRank);
     }
-    sort();
 
-    const labelList numbers(ofAllRanks(ids.size()));
-    forAll(numbers, rank)
+    const label rows = min(rowsPerRank, total - first);
+    ids.setSize(rows, -1);
+    forAll(found, i)
     {
-        first += (rank < Pstream::myProcNo() ? numbers[rank] : 0);
-        total += numbers[rank];
+        ids[found[i] - first] = found[i];
+    }
+    forAll(columns, columni)
+    {
+        columns[columni].setSize
+        (
+            rows, vector::uniform(std::numeric_limits<scalar>::quiet_NaN())
+        );
+        forAll(found, i)
+        {
+            columns[columni][found[i] - first] = values[columni][i];
+        }
     }
 }
 
 
-void Foam::rowsById::exchange()
+void Foam::rowsById::exchange
+(
+    labelList& unsortedIds,
+    List<vectorField>& unsorted,
+    const label rowsPerRank
+)
 {
     const label ranks = Pstream::nProcs();
 
-    label largest = 0;
-    for (const label id : ids)
-    {
-        largest = max(largest, id);
-    }
-    reduce(largest, maxOp<label>());
-    const label idsPerRank = largest/ranks + 1;
-
     List<DynamicList<label>> rowsFor(ranks);
-    forAll(ids, row)
+    forAll(unsortedIds, row)
     {
-        rowsFor[ids[row]/idsPerRank].append(row);
+        rowsFor[unsortedIds[row]/rowsPerRank].append(row);
     }
 
     PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
@@ -60,16 +80,16 @@ void Foam::rowsById::exchange()
         const labelUList& rows = rowsFor[rank];
         UOPstream to(rank, buffers);
 
-        to << labelList(UIndirectList<label>(ids, rows));
-        for (const vectorField& column : columns)
+        to << labelList(UIndirectList<label>(unsortedIds, rows));
+        for (const vectorField& column : unsorted)
         {
             to << vectorField(column, rows);
         }
     }
     buffers.finishedSends();
 
-    ids.clear();
-    for (vectorField& column : columns)
+    unsortedIds.clear();
+    for (vectorField& column : unsorted)
     {
         column.clear();
     }
@@ -77,23 +97,10 @@ void Foam::rowsById::exchange()
     {
         UIPstream from(rank, buffers);
 
-        ids.append(labelList(from));
-        for (vectorField& column : columns)
+        unsortedIds.append(labelList(from));
+        for (vectorField& column : unsorted)
         {
             column.append(vectorField(from));
         }
-    }
-}
-
-
-void Foam::rowsById::sort()
-{
-    labelList order;
-    sortedOrder(ids, order);
-
-    ids = labelList(UIndirectList<label>(ids, order));
-    for (vectorField& column : columns)
-    {
-        column = vectorField(column, order);
     }
 }

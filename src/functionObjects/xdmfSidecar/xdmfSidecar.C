@@ -27,7 +27,7 @@ struct trajectory
 };
 
 
-//- The rows that count of a frame of a dataset; columns 0: has no columns
+//- The rows of a frame of a dataset; columns 0: has no columns
 void writePart
 (
     std::ostream& os,
@@ -109,14 +109,14 @@ void Foam::xdmfSidecar::write
     const fileName& h5,
     const wordList& fields,
     const UList<scalar>& times,
-    const UList<label>& numbers
+    const UList<label>& rows
 )
 {
     const fileName target(path(h5));
     const fileName unfinished(target + ".new");
 
-    trajectory all{h5.name(), numbers.size(), 0};
-    for (const label number : numbers)
+    trajectory all{h5.name(), rows.size(), 0};
+    for (const label number : rows)
     {
         all.rows = max(all.rows, number);
     }
@@ -132,11 +132,11 @@ void Foam::xdmfSidecar::write
         << "<Xdmf Version=\"2.0\">\n<Domain>\n"
         << "<Grid Name=\"clay\" GridType=\"Collection\""
         << " CollectionType=\"Temporal\">\n";
-    forAll(numbers, frame)
+    forAll(rows, frame)
     {
-        if (numbers[frame])
+        if (rows[frame])
         {
-            writeFrame(os, all, fields, times[frame], frame, numbers[frame]);
+            writeFrame(os, all, fields, times[frame], frame, rows[frame]);
         }
     }
     os  << "</Grid>\n</Domain>\n</Xdmf>\n";
