@@ -93,7 +93,7 @@ plot rows("filter") using filtering:field with linespoints lt 1 notitle, \
     default("filter") using filtering:field with points lt 9 title "default"
 
 eval "set xrange [" . bounds("mesh", run, run, 1.5, 2) . "]"
-eval "set yrange [" . bounds("mesh", profile, swelling, 3, 3) . "]"
+eval "set yrange [" . bounds("mesh", profile, swelling, 3, 5) . "]"
 set title "6  mesh: cells per mean spacing"
 set xlabel "run without writing [s]"
 set ylabel "relative error [-]"
@@ -104,7 +104,7 @@ plot rows("mesh") using run:profile with linespoints lt 1 title "profile of alph
     default("mesh") using run:profile with points lt 9 title "this case"
 
 eval "set xrange [" . bounds("flowStep", run, run, 1.5, 2) . "]"
-eval "set yrange [" . bounds("flowStep", profile, swelling, 3, 3) . "]"
+eval "set yrange [" . bounds("flowStep", profile, swelling, 3, 10) . "]"
 set title "7  step of the flow, deltaT"
 plot rows("flowStep") using run:profile with linespoints lt 1 title "profile of alpha.clay", \
     "" using run:swelling with linespoints lt 2 title "swelling", \
@@ -112,7 +112,7 @@ plot rows("flowStep") using run:profile with linespoints lt 1 title "profile of 
     default("flowStep") using run:profile with points lt 9 title "this case"
 
 eval "set xrange [" . bounds("alpha", run, run, 1.5, 6) . "]"
-eval "set yrange [" . bounds("alpha", profile, swelling, 3, 3) . "]"
+eval "set yrange [" . bounds("alpha", profile, swelling, 3, 30) . "]"
 set title "8  coarseGraining: alpha, and layers of parcels"
 plot rows("alpha") using run:profile with linespoints lt 1 title "profile of alpha.clay", \
     "" using run:swelling with linespoints lt 2 title "swelling", \
