@@ -58,6 +58,31 @@ TEST(checkWords, acceptsWhatIsValid)
 }
 
 
+// Anything may be in it; beside it a variable is an unknown word
+TEST(checkWords, acceptsVariablesOfTheUser)
+{
+    const dictionary dict(parse("diameter 1; variables { x 1; y { z 2; } }"));
+    EXPECT_NO_THROW(colloid::checkWords(dict, words));
+
+    EXPECT_TRUE
+    (
+        contains
+        (
+            messageOf([]{ colloid::checkWords(parse("x 1;"), words); }),
+            "variables { x"
+        )
+    );
+    EXPECT_TRUE
+    (
+        contains
+        (
+            messageOf([]{ colloid::checkWords(parse("variables 1;"), words); }),
+            "in braces"
+        )
+    );
+}
+
+
 TEST(checkWords, namesTheMisspeltAndTheNearestWordAndAllValidOnes)
 {
     const dictionary dict(parse("diameter 1;\nthicknes 2;\n"));
@@ -101,11 +126,11 @@ TEST(checkWords, findsSlipsWhereAnyWordIsAllowed)
         )
     );
     const dictionary solution(parse("solvers {} erosion {} clayRim {}"));
-    EXPECT_NO_THROW(colloid::checkSpelling(control, solution));
+    EXPECT_NO_THROW(colloid::checkSpelling(control, solution, {}));
 
     const auto says = [&](const dictionary& c, const dictionary& s)
     {
-        return messageOf([&] { colloid::checkSpelling(c, s); });
+        return messageOf([&] { colloid::checkSpelling(c, s, {}); });
     };
     for (const char* wrong : {"adjustTimestep", "adjustTimStep", "AdjustTimeSteps", "adjustTiemStep"})
     {
@@ -122,6 +147,23 @@ TEST(checkWords, findsSlipsWhereAnyWordIsAllowed)
     EXPECT_TRUE
     (
         contains(says(control, parse("erosoin {}")), "did you mean 'erosion'")
+    );
+}
+
+
+TEST(checkWords, takesNoVariableForASlip)
+{
+    const dictionary control(parse("endTimes 1; endTime 1;"));
+    const dictionary solution;
+
+    EXPECT_NO_THROW
+    (
+        colloid::checkSpelling(control, solution, wordHashSet({"endTimes"}))
+    );
+    EXPECT_THROW
+    (
+        colloid::checkSpelling(control, solution, wordHashSet({"endTime"})),
+        Foam::error
     );
 }
 

@@ -23,6 +23,7 @@ Description
 #include "clayProperties.H"
 #include "clayState.H"
 #include "costReport.H"
+#include "dictionaryText.H"
 #include "fractureFlow.H"
 #include "fvCFD.H"
 #include "progress.H"
@@ -37,10 +38,16 @@ int main(int argc, char *argv[])
 
     #include "setRootCase.H"
     const fileName begunWith(clayState::file());
+    colloid::dictionaryText::checkCase();
     #include "createRestartableTime.H"
     #include "createMesh.H"
 
-    colloid::checkSpelling(runTime.controlDict(), mesh.solutionDict());
+    colloid::checkSpelling
+    (
+        runTime.controlDict(),
+        mesh.solutionDict(),
+        colloid::variablesOfControls()
+    );
 
     const colloid::clayProperties matter(runTime);
     clayCloud clay(mesh, matter);

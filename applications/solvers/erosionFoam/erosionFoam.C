@@ -22,6 +22,7 @@ Description
 #include "checkWords.H"
 #include "clayTransport.H"
 #include "costReport.H"
+#include "dictionaryText.H"
 #include "fractureFlow.H"
 #include "fvCFD.H"
 #include "progress.H"
@@ -37,6 +38,7 @@ int main(int argc, char *argv[])
 
     #include "setRootCase.H"
     const fileName begunWith("alpha.clay");
+    colloid::dictionaryText::checkCase();
     #include "createRestartableTime.H"
     #include "createMesh.H"
     #include "createFields.H"

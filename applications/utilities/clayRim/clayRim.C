@@ -24,6 +24,7 @@ Description
 #include "argList.H"
 #include "caseLock.H"
 #include "checkControls.H"
+#include "dictionaryText.H"
 #include "IOdictionary.H"
 #include "logDigits.H"
 #include "OSspecific.H"
@@ -105,6 +106,7 @@ int main(int argc, char *argv[])
     {
         FatalError.exit();
     }
+    colloid::dictionaryText::checkCase();
 
     const caseLock lock(args);
     checkControls(args);

@@ -20,6 +20,7 @@ Description
 
 #include "argList.H"
 #include "checkControls.H"
+#include "dictionaryText.H"
 #include "IOdictionary.H"
 #include "logDigits.H"
 #include "sigFpe.H"
@@ -215,6 +216,7 @@ int main(int argc, char *argv[])
     {
         FatalError.exit();
     }
+    colloid::dictionaryText::checkCase();
 
     if (args.found("gap") && !args.found("csv"))
     {

@@ -25,6 +25,7 @@ Description
 #include "Cloud.H"
 #include "cloudProperties.H"
 #include "completeTimes.H"
+#include "dictionaryText.H"
 #include "fvCFD.H"
 #include "logDigits.H"
 #include "OSspecific.H"
@@ -43,6 +44,7 @@ int main(int argc, char *argv[])
     );
 
     #include "setRootCase.H"
+    colloid::dictionaryText::checkCase();
     const caseLock lock(args);
     checkControls(args);
 
@@ -103,6 +105,10 @@ int main(int argc, char *argv[])
 
     for (const entry& group : setClayDict)
     {
+        if (group.keyword() == colloid::variablesWord)
+        {
+            continue;
+        }
         if (!group.isDict())
         {
             colloid::checkChoice

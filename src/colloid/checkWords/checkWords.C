@@ -4,7 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "checkWords.H"
-#include "error.H"
+#include "caseFile.H"
+#include "dictionaryText.H"
+#include "errorAt.H"
 
 #include <algorithm>
 #include <cctype>
@@ -103,22 +105,16 @@ void refuse
     const Foam::entry* wrong,
     const Foam::string& what,
     const word& value,
-    const Foam::UList<word>& validWords
+    const Foam::UList<word>& validWords,
+    const bool ofUser = false
 )
 {
     using namespace Foam;
 
     const word nearest(colloid::nearestWord(value, validWords));
 
-    auto& message = FatalIOError
-    (
-        FUNCTION_NAME,
-        __FILE__,
-        __LINE__,
-        dict.name(),
-        wrong ? wrong->startLineNumber() : dict.startLineNumber(),
-        wrong ? wrong->endLineNumber() : dict.endLineNumber()
-    );
+    OSstream& message =
+        wrong ? colloid::errorAt(dict, *wrong) : colloid::errorAt(dict, word());
 
     message << what << " '" << value << "'";
 
@@ -134,7 +130,16 @@ void refuse
         message << ' ' << valid;
     }
 
-    message << nl << exit(FatalIOError);
+    message << nl;
+
+    if (ofUser)
+    {
+        message
+            << "A variable of your own:  " << colloid::variablesWord << " { "
+            << value << " ...; }" << nl;
+    }
+
+    message << exit(FatalIOError);
 }
 
 } // End anonymous namespace
@@ -178,7 +183,17 @@ void Foam::colloid::checkWords
     {
         const word keyword(e.keyword());
 
-        if (!validWords.found(keyword) && keyword != "FoamFile")
+        if (keyword == variablesWord)
+        {
+            if (!e.isDict())
+            {
+                errorAt(dict, e)
+                    << variablesWord << " is for words of your own, in braces:"
+                    << "  " << variablesWord << " { length 1e-6; }" << nl
+                    << exit(FatalIOError);
+            }
+        }
+        else if (!validWords.found(keyword) && keyword != "FoamFile")
         {
             refuse
             (
@@ -186,20 +201,34 @@ void Foam::colloid::checkWords
                 &e,
                 "Unknown entry in " + dict.dictName() + ":",
                 keyword,
-                validWords
+                validWords,
+                !e.isDict()
             );
         }
     }
 }
 
 
+Foam::wordHashSet Foam::colloid::variablesOfControls()
+{
+    wordHashSet used;
+
+    for (const char* path : {"system/controlDict", "system/fvSolution"})
+    {
+        used |= dictionaryText(caseFile(fileName(path))).variables();
+    }
+    return used;
+}
+
+
 void Foam::colloid::checkSpelling
 (
     const dictionary& controlDict,
-    const dictionary& fvSolution
+    const dictionary& fvSolution,
+    const wordHashSet& variables
 )
 {
-    const auto check = [](const dictionary& dict, const UList<word>& words)
+    const auto check = [&](const dictionary& dict, const UList<word>& words)
     {
         for (const entry& e : dict)
         {
@@ -213,6 +242,7 @@ void Foam::colloid::checkSpelling
             (
                 !e.keyword().isPattern()
              && !words.found(keyword)
+             && !variables.found(keyword)
              && std::any_of(words.begin(), words.end(), isNear)
             )
             {

@@ -5,6 +5,7 @@
 
 #include "clayProperties.H"
 #include "checkWords.H"
+#include "errorAt.H"
 #include "readInRange.H"
 
 #include "IOdictionary.H"
@@ -324,18 +325,7 @@ Foam::colloid::water Foam::colloid::clayProperties::waterAt
      || solution.concentration > highestConcentration
     )
     {
-        const dictionary& d = dict_.subDict("water");
-        const entry* given = d.findEntry("concentration", keyType::LITERAL);
-
-        FatalIOError
-        (
-            FUNCTION_NAME,
-            __FILE__,
-            __LINE__,
-            d.name(),
-            given->startLineNumber(),
-            given->endLineNumber()
-        )
+        errorAt(dict_.subDict("water"), "concentration")
             << "Impossible concentration " << solution.concentration
             << " mol/m3 at time " << time << nl
             << "Valid: from " << lowestConcentration << " to "

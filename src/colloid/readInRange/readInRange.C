@@ -5,7 +5,7 @@
 
 #include "readInRange.H"
 #include "checkWords.H"
-#include "error.H"
+#include "errorAt.H"
 
 #include <cmath>
 
@@ -36,7 +36,7 @@ Foam::scalar Foam::colloid::readInRange
 
     if (!first.isNumber())
     {
-        FatalIOErrorInFunction(is)
+        errorAt(dict, *given)
             << "Entry '" << keyword << "' in " << dict.dictName()
             << " is not a number" << nl
             << "Valid: from " << lower << " to " << upper << ' ' << unit << nl
@@ -49,15 +49,7 @@ Foam::scalar Foam::colloid::readInRange
     // nan first: comparing it would trap
     if (!std::isfinite(value) || value < lower || value > upper)
     {
-        FatalIOError
-        (
-            FUNCTION_NAME,
-            __FILE__,
-            __LINE__,
-            dict.name(),
-            given->startLineNumber(),
-            given->endLineNumber()
-        )
+        errorAt(dict, *given)
             << "Impossible " << keyword << ' ' << value << " in "
             << dict.dictName() << nl
             << "Valid: from " << lower << " to " << upper << ' ' << unit << nl
@@ -111,7 +103,7 @@ std::optional<Foam::scalar> Foam::colloid::numberOrWord
     }
     if (!first.isWord())
     {
-        FatalIOErrorInFunction(dict)
+        errorAt(dict, *given)
             << "Entry '" << keyword << "' is neither a number nor the word "
             << instead << exit(FatalIOError);
     }

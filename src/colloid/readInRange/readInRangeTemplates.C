@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "readInRange.H"
+#include "caseFile.H"
 #include "unitWords.H"
 
 #include "Constant.H"
@@ -64,5 +65,5 @@ Foam::autoPtr<Foam::Function1<Type>> Foam::colloid::readFunction1
         }
     }
 
-    return Function1<Type>::New(keyword, dict);
+    return Function1<Type>::New(keyword, withCaseFiles(dict, keyword));
 }

@@ -178,7 +178,8 @@ Foam::scalar Foam::colloid::scales::pressureBeyond
     // The six nearest, and the others as if they were spread evenly
     const scalar all = 6*forceAt(1) + beyond(1.2);
 
-    return all > 0 ? beyond(spacings)/all : 0;
+    // Nearer than the nearest is none: at contact forces are anything
+    return all > 0 ? (spacings < 1 ? 1 : beyond(spacings)/all) : 0;
 }
 
 

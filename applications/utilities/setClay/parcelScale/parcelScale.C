@@ -64,7 +64,7 @@ Foam::scalar Foam::parcelScale
 
     for (const entry& group : setClayDict)
     {
-        if (!group.isDict())
+        if (!group.isDict() || group.keyword() == colloid::variablesWord)
         {
             continue;
         }
