@@ -109,7 +109,7 @@ TEST(errors, nameSettingsThatAreImpossible)
 
     chosen = settings();
     chosen.skin = 1.01*chosen.cutOff;
-    expectWords(errorOfMaking(chosen), {"skin", "wider", "cut-off"});
+    expectWords(errorOfMaking(chosen), {"skin", "wider", "cutOff"});
 
     chosen = settings();
     chosen.deltaT = std::numeric_limits<double>::quiet_NaN();
@@ -117,7 +117,7 @@ TEST(errors, nameSettingsThatAreImpossible)
 
     chosen = settings();
     chosen.tableTolerance = 1e-17;
-    expectWords(errorOfMaking(chosen), {"tableTolerance", "exact kernel"});
+    expectWords(errorOfMaking(chosen), {"larger tolerance", "exact kernel"});
 }
 
 

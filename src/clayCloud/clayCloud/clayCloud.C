@@ -5,6 +5,7 @@
 
 #include "clayCloud.H"
 #include "asFatalError.H"
+#include "unreadField.H"
 #include "costReport.H"
 #include "fvMesh.H"
 #include "Pstream.H"
@@ -136,6 +137,7 @@ Foam::clayCloud::clayCloud
     asFatalError
     (
         units,
+        properties_,
         [&]
         {
             engine_ = std::make_unique<plateletDynamics::engine>
@@ -180,6 +182,17 @@ Foam::clayCloud::clayCloud
     // memory); a start makes them
     if (mesh.time().timeIndex() == 0)
     {
+        for (const char* field : {"alpha.clay", "U.clay"})
+        {
+            colloid::sayUnread
+            (
+                mesh.time(), field, "it follows from the platelets"
+            );
+        }
+        colloid::sayUnread
+        (
+            mesh.time(), "c", "concentration of water (clayProperties) is"
+        );
         filter(0);
         state_.placedFraction = meanFraction();
     }
@@ -215,7 +228,10 @@ void Foam::clayCloud::load()
         platelets_[tag++] = &platelet;
     }
 
-    asFatalError(units, [&]{ engine_->load(std::move(loaded)); });
+    asFatalError
+    (
+        units, properties_, [&]{ engine_->load(std::move(loaded)); }
+    );
 }
 
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "clayCloud.H"
+#include "errorAt.H"
 #include "asFatalError.H"
 #include "stopwatch.H"
 
@@ -74,6 +75,7 @@ void Foam::clayCloud::updateEngine(const volVectorField& Uwater)
     asFatalError
     (
         units,
+        properties_,
         [&]
         {
             engine_->change(interactions_.force(now), interactions_.settings());
@@ -191,6 +193,7 @@ void Foam::clayCloud::checkEngineStep(const scalar deltaT)
     asFatalError
     (
         units,
+        properties_,
         [&]
         {
             limit = engine_->stabilityLimit()*units.time();
@@ -324,7 +327,7 @@ void Foam::clayCloud::follow()
 
         if (celli < 0)
         {
-            FatalErrorInFunction
+            colloid::errorAt(mesh_.time().controlDict(), "deltaT")
                 << "Platelet " << platelet.state().id << " went from "
                 << x - platelet.state().displacement << " m to " << x
                 << " m, which is outside the mesh beyond patch "
@@ -333,7 +336,7 @@ void Foam::clayCloud::follow()
                 << "." << nl
                 << "    Reduce deltaT (in controlDict); if it went through a"
                 << " wall, engineDeltaT in clayCloudProperties"
-                << exit(FatalError);
+                << exit(FatalIOError);
         }
         platelet.relocate(x, celli);
     }
@@ -366,7 +369,10 @@ void Foam::clayCloud::movePart
     sampleFriction();
     driveLayers();
     checkEngineStep(deltaT);
-    asFatalError(units, [&]{ engine_->advance(deltaT/units.time()); });
+    asFatalError
+    (
+        units, properties_, [&]{ engine_->advance(deltaT/units.time()); }
+    );
     takeBack();
     follow();
     checkCount(idsBefore);

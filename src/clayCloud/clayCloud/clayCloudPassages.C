@@ -37,7 +37,10 @@ void Foam::clayCloud::countThrough
         }
         counted_[number].triangles.push_back(corners);
     }
-    asFatalError(units, [&]{ engine_->setCountedSurfaces(counted_); });
+    asFatalError
+    (
+        units, properties_, [&]{ engine_->setCountedSurfaces(counted_); }
+    );
 }
 
 

@@ -5,6 +5,7 @@
 
 #include "clayInteractions.H"
 #include "doubleLayer.H"
+#include "errorAt.H"
 #include "mathematicalConstants.H"
 #include "pairInteraction.H"
 #include "scales.H"
@@ -75,6 +76,15 @@ Foam::clayInteractions::clayInteractions
 {
     chooseUnits();
     decide();
+
+    if (properties_.cutOff() > 0 && properties_.cutOff() < state_.spacing)
+    {
+        IOWarningInFunction(properties_.dict().subDict("solution"))
+            << "cutOff is " << properties_.cutOff() << " m, less than the mean"
+            << " spacing of " << state_.spacing << " m:" << nl
+            << "    platelets at their places do not act on each other" << nl
+            << endl;
+    }
 }
 
 
@@ -233,11 +243,22 @@ void Foam::clayInteractions::chooseCutOff()
 
     if (properties_.cutOff() > halfPeriod)
     {
-        FatalIOErrorInFunction(properties_.dict().subDict("solution"))
+        colloid::errorAt(properties_.dict().subDict("solution"), "cutOff")
             << "cutOff is " << properties_.cutOff() << " m, but the periodic"
             << " box is only " << 2*halfPeriod << " m wide." << nl
             << "    At most half of that, or a larger mesh"
             << exit(FatalIOError);
+    }
+
+    if (properties_.cutOff() > 0 && properties_.cutOff() <= thickness())
+    {
+        colloid::errorAt(properties_.dict().subDict("solution"), "cutOff")
+            << "cutOff is " << properties_.cutOff() << " m, not longer than the"
+            << " thickness of a "
+            << (state_.coarseGraining > 1 ? "parcel" : "platelet") << ", "
+            << thickness() << " m." << nl
+            << "    It is a distance of centres: at least the mean spacing, "
+            << state_.decidedSpacing << " m, or auto" << exit(FatalIOError);
     }
 
     // Few platelets in open space: all pairs, however far they move apart
@@ -251,6 +272,14 @@ void Foam::clayInteractions::chooseCutOff()
         allPairs
       ? 1e3*max(scalar(state_.entered), scalar(1))*state_.spacing
       : min(cutOffAt(state_.decidedSpacing), halfPeriod);
+
+    if (properties_.skin() > cutOff_)
+    {
+        colloid::errorAt(properties_.dict().subDict("solution"), "skin")
+            << "skin is " << properties_.skin() << " m, wider than the cut-off"
+            << " of " << cutOff_ << " m." << nl
+            << "    At most that, or auto" << exit(FatalIOError);
+    }
 }
 
 

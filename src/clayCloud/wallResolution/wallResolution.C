@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallResolution.H"
+#include "errorAt.H"
 #include "boundarySurface.H"
 #include "ofAllRanks.H"
 #include "waterLimits.H"
@@ -266,7 +267,11 @@ void Foam::wallResolution::check
         const scalar width =
             worst.width*Foam::sqrt(share*spacing/worst.deviation);
 
-        FatalErrorInFunction
+        colloid::errorAt
+        (
+            mesh.boundaryMesh().objectPath(),
+            wordList({mesh.boundaryMesh()[worst.patch].name()})
+        )
             << "Wall " << mesh.boundaryMesh()[worst.patch].name()
             << " is not resolved: at " << worst.centre << " m its faces are "
             << worst.width << " m wide and bend by " << radToDeg(worst.bend)
@@ -277,6 +282,6 @@ void Foam::wallResolution::check
             << "    Take faces of at most " << width << " m along that wall (in"
             << " blockMeshDict or snappyHexMeshDict)," << nl
             << "    or, if it is an edge, a bend of more than " << featureAngle
-            << " degrees" << exit(FatalError);
+            << " degrees" << exit(FatalIOError);
     }
 }

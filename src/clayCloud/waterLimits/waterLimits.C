@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "waterLimits.H"
+#include "errorAt.H"
 #include "ofAllRanks.H"
 #include "reducedUnits.H"
 
@@ -46,13 +47,16 @@ Foam::cloudProperties::patchAction Foam::waterLimits::actionOf
 
     if (isA<emptyPolyPatch>(patch) || isA<wedgePolyPatch>(patch))
     {
-        FatalErrorInFunction
+        colloid::errorAt
+        (
+            mesh.boundaryMesh().objectPath(), wordList({patch.name()})
+        )
             << "Patch " << patch.name() << " is of type " << patch.type()
             << ": platelets move in three dimensions." << nl
             << "    Use a pair of cyclic patches instead (periodic), or"
             << " symmetryPlane. Flow model HeleShaw, which needs empty patches,"
             << nl << "    is for clay as a continuum (erosionFoam)"
-            << exit(FatalError);
+            << exit(FatalIOError);
     }
 
     if (said != action::automatic)

@@ -4,7 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "fluxSurface.H"
+#include "caseFile.H"
 #include "checkWords.H"
+#include "errorAt.H"
 #include "ofAllRanks.H"
 #include "periodicAxes.H"
 #include "readInRange.H"
@@ -285,26 +287,23 @@ void Foam::fluxSurface::readPlane(const polyMesh& mesh, const dictionary& dict)
 void Foam::fluxSurface::readFile(const polyMesh& mesh, const dictionary& dict)
 {
     const fileName name(dict.get<fileName>("file"));
-    const fileName folder
-    (
-        mesh.time().globalPath()/mesh.time().constant()/"triSurface"
-    );
+    const fileName path(colloid::caseFile(name, "constant/triSurface"));
     const scalar scale =
         colloid::readInRange(dict, "scale", 1, VSMALL, GREAT, "");
 
     // Other ranks need not see the file
     if (Pstream::master())
     {
-        if (!isFile(folder/name))
+        if (!isFile(path))
         {
-            FatalIOErrorInFunction(dict)
-                << "There is no file " << folder/name << nl
+            colloid::errorAt(dict, "file")
+                << "There is no file " << path << nl
                 << "    The folder holds: "
-                << flatOutput(readDir(folder, fileName::FILE, false))
+                << flatOutput(readDir(path.path(), fileName::FILE, false))
                 << exit(FatalIOError);
         }
 
-        const triSurface surface(folder/name);
+        const triSurface surface(path);
         for (const labelledTri& tri : surface)
         {
             triangles_.append
@@ -319,7 +318,7 @@ void Foam::fluxSurface::readFile(const polyMesh& mesh, const dictionary& dict)
         }
     }
     gather();
-    description_ = "triSurface " + name;
+    description_ = "triSurface " + path;
 
     const boundBox& bounds = mesh.bounds();
     boundBox around;

@@ -4,6 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "meshPieces.H"
+#include "caseFile.H"
+#include "errorAt.H"
 #include "patchWave.H"
 #include "volFields.H"
 
@@ -67,9 +69,12 @@ Foam::meshPieces::meshPieces
     }
     if (returnReduce(counting, sumOp<label>()) == 0)
     {
-        FatalErrorInFunction
+        colloid::errorAt
+        (
+            colloid::caseFile(fileName("system/controlDict")), wordList({"margin"})
+        )
             << "No cell counts: all are nearer than the margin of " << margin
             << " m to a patch." << nl << "    A smaller margin, or margin 0"
-            << exit(FatalError);
+            << exit(FatalIOError);
     }
 }

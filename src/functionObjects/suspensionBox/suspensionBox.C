@@ -5,6 +5,7 @@
 
 #include "suspensionBox.H"
 #include "asFatalError.H"
+#include "errorAt.H"
 
 #include <random>
 
@@ -81,6 +82,7 @@ Foam::suspensionBox::suspensionBox
 )
 :
     units_(interactions.units()),
+    properties_(interactions.properties()),
     arrangement_(how),
     diffusionTime_(0)
 {
@@ -104,13 +106,16 @@ Foam::suspensionBox::suspensionBox
 
     if ((inRow ? room : pow3(room)) > mostPlatelets)
     {
-        FatalErrorInFunction
+        colloid::errorAt
+        (
+            properties_.dict().subOrEmptyDict("solution"), "cutOff"
+        )
             << "At the solid fraction " << fraction << " the cut-off of "
             << settings.cutOff*units_.length() << " m is "
             << room/2.02 << " spacings: two of them need a box of more than "
             << mostPlatelets << " platelets." << nl
             << "    Say cutOff auto (clayCloudProperties), or leave out the"
-            << " method equilibrium" << exit(FatalError);
+            << " method equilibrium" << exit(FatalIOError);
     }
 
     edgeNumber_ = label(std::ceil(max(room, Foam::cbrt(scalar(atLeast)))));
@@ -151,6 +156,7 @@ Foam::suspensionBox::suspensionBox
     asFatalError
     (
         units_,
+        properties_,
         [&]
         {
             engine_ = std::make_unique<plateletDynamics::engine>
@@ -221,7 +227,10 @@ Foam::pointField Foam::suspensionBox::places
 
 void Foam::suspensionBox::advance(const scalar duration)
 {
-    asFatalError(units_, [&]{ engine_->advance(duration/units_.time()); });
+    asFatalError
+    (
+        units_, properties_, [&]{ engine_->advance(duration/units_.time()); }
+    );
 }
 
 
@@ -229,7 +238,10 @@ Foam::scalar Foam::suspensionBox::pressure()
 {
     const label directions = arrangement_ == arrangement::stack ? 1 : 3;
     const scalar virial =
-        asFatalError(units_, [&]{ return engine_->virial(); })
+        asFatalError
+        (
+            units_, properties_, [&]{ return engine_->virial(); }
+        )
        *units_.force()*units_.length();
 
     return (number_*thermalEnergy_ + virial/directions)/volume_;

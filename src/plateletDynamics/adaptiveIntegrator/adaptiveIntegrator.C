@@ -43,9 +43,9 @@ double adaptiveIntegrator::step(motion& system, double deltaT)
         (
             text
             (
-                "A duration of ", deltaT, " would take more than ",
+                "A duration of ", times(deltaT), " would take more than ",
                 tooManySteps, " steps: displacements decay at ",
-                system.decayRate(), " per time. Softer forces (a larger"
+                perTime(system.decayRate()), ". Softer forces (a larger"
                 " contactGap), or platelets that do not overlap"
             )
         );
@@ -76,8 +76,8 @@ double adaptiveIntegrator::step(motion& system, double deltaT)
     (
         text
         (
-            "No step from ", deltaT, " down to ", control_.next(),
-            " keeps the tolerance"
+            "No step from ", times(deltaT), " down to ",
+            times(control_.next()), " keeps the tolerance"
         )
     );
 }

@@ -21,13 +21,20 @@ namespace
 void check(const engineSettings& settings)
 {
     const auto require =
-        [](bool valid, const char* name, double value, const char* what)
+        []
+        (
+            bool valid,
+            const char* name,
+            double value,
+            const std::string& what,
+            const char* unit = ""
+        )
         {
             if (!std::isfinite(value) || !valid)
             {
                 throw userError
                 (
-                    text(name, " is ", value, " but must be ", what)
+                    text(name, " is ", value, unit, " but must be ", what)
                 );
             }
         };
@@ -35,22 +42,24 @@ void check(const engineSettings& settings)
     require
     (
         std::isgreaterequal(settings.thickness, 0),
-        "thickness", settings.thickness, "0 or more"
+        "thickness", settings.thickness, "0 or more", " lengths"
     );
     require
     (
         std::isgreater(settings.cutOff, settings.thickness),
-        "cutOff", settings.cutOff, "greater than the thickness"
+        "cutOff", settings.cutOff,
+        "greater than the thickness of " + lengths(settings.thickness),
+        " lengths"
     );
     require
     (
         std::isgreaterequal(settings.skin, 0),
-        "skin", settings.skin, "positive, or 0 to have it chosen"
+        "skin", settings.skin, "positive, or 0 to have it chosen", " lengths"
     );
     require
     (
         std::isgreaterequal(settings.deltaT, 0),
-        "deltaT", settings.deltaT, "positive, or 0 to have it chosen"
+        "deltaT", settings.deltaT, "positive, or 0 to have it chosen", " times"
     );
     require
     (
@@ -65,7 +74,8 @@ void check(const engineSettings& settings)
     require
     (
         std::isgreaterequal(settings.thermalStep, 0),
-        "thermalStep", settings.thermalStep, "positive, or 0 for any"
+        "thermalStep", settings.thermalStep, "positive, or 0 for any",
+        " lengths"
     );
     if (!isFinite(settings.bodyForce))
     {
@@ -202,7 +212,9 @@ void engine::implementation::check(const platelets& loaded) const
                 text
                 (
                     "Platelet ", loaded.id[k], " is at (",
-                    loaded.position[k].transpose(), "), far from the box"
+                    lengths(loaded.position[k].x()), ", ",
+                    lengths(loaded.position[k].y()), ", ",
+                    lengths(loaded.position[k].z()), "), far from the box"
                 )
             );
         }
@@ -217,7 +229,7 @@ void engine::implementation::check(const platelets& loaded) const
                 text
                 (
                     "Platelet ", loaded.id[k], " has a friction of ",
-                    loaded.friction[k], " but it must be positive"
+                    frictions(loaded.friction[k]), " but it must be positive"
                 )
             );
         }

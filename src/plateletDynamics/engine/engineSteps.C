@@ -215,8 +215,9 @@ std::int64_t engine::implementation::stepsFor(double duration)
         (
             text
             (
-                "A duration of ", duration, " in steps of ", step,
-                " would take more than ", integrator::tooManySteps, " steps"
+                "A duration of ", times(duration), " in steps of ",
+                times(step), " would take more than ",
+                integrator::tooManySteps, " steps"
             )
         );
     }
@@ -484,7 +485,7 @@ void engine::implementation::advance(double duration)
 {
     if (!std::isfinite(duration) || duration < 0)
     {
-        throw userError(text("Cannot advance by a time of ", duration));
+        throw userError(text("Cannot advance by a time of ", times(duration)));
     }
 
     departures_.clear();

@@ -127,7 +127,7 @@ forceTable::forceTable(const taperedForce& force, double tolerance)
         (
             "A table of the force reaches a relative error of ", error,
             ", not the tolerance of ", tolerance,
-            ". Allow a larger tableTolerance or use the exact kernel"
+            ". Allow a larger tolerance or use the exact kernel"
         )
     );
 }

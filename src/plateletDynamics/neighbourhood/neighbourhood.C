@@ -79,8 +79,8 @@ void neighbourhood::setRange(double cutOff, double wallCutOff, double skin)
         (
             text
             (
-                "The skin of ", skin, " is wider than the cut-off of ", cutOff,
-                ". Take at most that, or leave it to be chosen"
+                "The skin of ", lengths(skin), " is wider than the cutOff of ",
+                lengths(cutOff), ". Take at most that, or leave it to be chosen"
             )
         );
     }
@@ -99,10 +99,11 @@ void neighbourhood::setRange(double cutOff, double wallCutOff, double skin)
             (
                 text
                 (
-                    "The periodic box is ", period, " wide along ",
-                    "xyz"[axis], ", less than two cut-offs of ", cutOff,
-                    ". Take a box of at least ", 2*cutOff,
-                    " or a cut-off of at most ", period/2
+                    "The periodic box is ", lengths(period), " wide along ",
+                    "xyz"[axis], ", less than two cut-offs of ",
+                    lengths(cutOff), ". Take a box of at least ",
+                    lengths(2*cutOff), " or a cutOff of at most ",
+                    lengths(period/2)
                 )
             );
         }

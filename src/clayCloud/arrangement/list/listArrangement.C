@@ -6,10 +6,10 @@
 #include "listArrangement.H"
 #include "addToRunTimeSelectionTable.H"
 #include "boundBox.H"
+#include "caseFile.H"
 #include "checkWords.H"
 #include "IFstream.H"
 #include "polyMesh.H"
-#include "Time.H"
 
 namespace Foam
 {
@@ -25,7 +25,7 @@ Foam::listArrangement::listArrangement
 )
 :
     arrangement(where),
-    file_(dict.get<fileName>("file"))
+    file_(colloid::caseFile(dict, "file"))
 {
     colloid::checkWords
     (
@@ -73,18 +73,11 @@ Foam::scalar Foam::listArrangement::estimatedSpacing
 
 Foam::pointField Foam::listArrangement::place(Random&)
 {
-    fileName path(file_);
-    path.expand();
-    if (!path.isAbsolute())
-    {
-        path = scene_.mesh.time().path()/path;
-    }
-
-    IFstream is(path);
+    IFstream is(file_);
     if (!is.good())
     {
-        FatalErrorInFunction
-            << "Cannot read the list of places " << path << exit(FatalError);
+        FatalIOErrorInFunction(is)
+            << "Cannot read the list of places " << file_ << exit(FatalIOError);
     }
     const pointField places(is);
 
