@@ -4,7 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "clayFlux.H"
+#include "caseFile.H"
 #include "checkWords.H"
+#include "errorAt.H"
 #include "fvcSurfaceIntegrate.H"
 #include "linear.H"
 #include "syncTools.H"
@@ -65,9 +67,13 @@ void Foam::clayFlux::decideGravity(const scalar tolerance)
     {
         if (gravity_ == "on")
         {
-            FatalErrorInFunction
+            colloid::errorAt
+            (
+                colloid::caseFile(fileName("constant/erosionProperties")),
+                wordList({"gravity"})
+            )
                 << "gravity on in erosionProperties needs the file "
-                << io.objectPath() << exit(FatalError);
+                << io.objectPath() << exit(FatalIOError);
         }
         Info<< "Gravity off: no file constant/g" << endl;
         gravity_ = "off";

@@ -5,6 +5,7 @@
 
 #include "clayTransport.H"
 #include "checkWords.H"
+#include "errorAt.H"
 #include "readInRange.H"
 #include "steadyStateDdtScheme.H"
 
@@ -44,12 +45,12 @@ void Foam::clayTransport::checkBounds() const
 
     if (least < -slack || most > packing_ + slack)
     {
-        FatalErrorInFunction
+        colloid::errorAt(alpha_.objectPath(), wordList({"internalField"}))
             << alpha_.name() << " is from " << least << " to " << most
             << " at the start" << nl
             << "Valid: solid fractions from 0 to packing in"
             << " erosionProperties, " << packing_
-            << exit(FatalError);
+            << exit(FatalIOError);
     }
     forAll(alpha_.boundaryField(), patchi)
     {
@@ -57,13 +58,17 @@ void Foam::clayTransport::checkBounds() const
 
         if (patch.size() && (min(patch) < -slack || max(patch) > packing_ + slack))
         {
-            FatalErrorInFunction
+            colloid::errorAt
+            (
+                alpha_.objectPath(),
+                wordList({"boundaryField", patch.patch().name()})
+            )
                 << alpha_.name() << " on the patch "
                 << patch.patch().name() << " is from " << min(patch)
                 << " to " << max(patch) << nl
                 << "Valid: solid fractions from 0 to packing in"
                 << " erosionProperties, " << packing_
-                << exit(FatalError);
+                << exit(FatalIOError);
         }
     }
 }

@@ -134,20 +134,23 @@ void Foam::clayTransport::refuseAfter
         const scalar least = gMin(alpha_.primitiveField());
         const scalar largest = gMax(alpha_.primitiveField());
 
-        FatalErrorInFunction
+        FatalIOErrorInFunction
+        (
+            mesh_.solutionDict().subOrEmptyDict("erosion")
+        )
             << "No step from " << mesh_.time().timeName() << " s is small"
             << " enough: the last try was " << deltaT << " s, "
             << (solved ? "solved with an estimated error of " : "not solved");
         if (solved)
         {
-            FatalError << error;
+            FatalIOError << error;
         }
-        FatalError << nl
+        FatalIOError << nl
             << "    Before it " << alpha_.name() << " was from " << least << " to "
             << largest << nl
             << "    Residual " << residual_ << ", at most " << maxIterations_
             << " iterations, tolerance " << tolerance_
-            << " (fvSolution, erosion)" << exit(FatalError);
+            << " (fvSolution, erosion)" << exit(FatalIOError);
     }
 }
 

@@ -4,6 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "diffusionIntegral.H"
+#include "caseFile.H"
+#include "errorAt.H"
 #include "error.H"
 
 #include <algorithm>
@@ -50,13 +52,17 @@ Foam::diffusionIntegral::diffusionIntegral
 
         if (!(value > 0))
         {
-            FatalErrorInFunction
+            colloid::errorAt
+            (
+                colloid::caseFile(fileName("constant/clayProperties")),
+                wordList({"water", "concentration"})
+            )
                 << "D is " << value << " at the solid fraction " << fraction
                 << ", and a gel spreads only where it is above 0" << nl
                 << "Below the concentration at which clay coagulates, D < 0"
                 << " is met at high" << nl
                 << "fractions, where platelets all but touch: a lower fraction"
-                << " in the hole" << nl << exit(FatalError);
+                << " in the hole" << nl << exit(FatalIOError);
         }
 
         return value;

@@ -4,6 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "potentialInWater.H"
+#include "caseFile.H"
+#include "errorAt.H"
 #include "quadrature.H"
 #include "error.H"
 
@@ -52,7 +54,11 @@ Foam::coexistence Foam::potentialInWater::phasesOf
         )
     )
     {
-        FatalErrorInFunction
+        colloid::errorAt
+        (
+            colloid::caseFile(fileName("constant/erosionProperties")),
+            wordList({"diffusivity"})
+        )
             << "The diffusivity " << model.type() << " is negative between the"
             << " solid fractions " << phases.lower() << " and "
             << phases.upper() << " at " << concentration << " mol/m3" << nl
@@ -67,7 +73,7 @@ Foam::coexistence Foam::potentialInWater::phasesOf
                )
             << nl << "Above the critical coagulation concentration clay does"
             << " not spread: clayScales prints it for this clay"
-            << exit(FatalError);
+            << exit(FatalIOError);
     }
     return phases;
 }

@@ -4,6 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "rimSimilarity.H"
+#include "caseFile.H"
+#include "errorAt.H"
 #include "error.H"
 #include "interpolateXY.H"
 
@@ -41,14 +43,18 @@ scalar positive
 
     if (!(value > 0) || !std::isfinite(value))
     {
-        FatalErrorInFunction
+        colloid::errorAt
+        (
+            colloid::caseFile(fileName("constant/clayProperties")),
+            wordList({"water", "concentration"})
+        )
             << what << " is " << value << " at the solid fraction " << fraction
             << ", and a rim needs it above 0 there" << nl
             << "D < 0 is where clay coagulates: a lower concentration or"
             << " Hamaker, or a" << nl
             << "higher surfaceCharge, lets it spread. clayScales prints the"
             << " limit (CCC)" << nl
-            << exit(FatalError);
+            << exit(FatalIOError);
     }
 
     return value;

@@ -5,9 +5,11 @@
 
 #include "saltTransport.H"
 #include "checkWords.H"
+#include "errorAt.H"
 #include "fvm.H"
 #include "linear.H"
 #include "readInRange.H"
+#include "unreadField.H"
 
 Foam::saltTransport::saltTransport
 (
@@ -34,6 +36,12 @@ Foam::saltTransport::saltTransport
     if (model == "uniform")
     {
         Info<< "Salt uniform: concentration of clayProperties" << endl;
+        colloid::sayUnread
+        (
+            mesh.time(),
+            "c",
+            "salt uniform, concentration of water (clayProperties) is"
+        );
         return;
     }
 
@@ -60,16 +68,16 @@ Foam::saltTransport::saltTransport
     const dimensionSet mol(0, -3, 0, 0, 1);
     if (c_->dimensions() != mol)
     {
-        FatalErrorInFunction
+        colloid::errorAt(c_->objectPath(), wordList({"dimensions"}))
             << c_->objectPath() << " has dimensions " << c_->dimensions()
             << nl << "Valid: concentration of the cation in mol/m3, " << mol
-            << exit(FatalError);
+            << exit(FatalIOError);
     }
     if (gMin(c_->primitiveField()) < 0)
     {
-        FatalErrorInFunction
+        colloid::errorAt(c_->objectPath(), wordList({"internalField"}))
             << c_->objectPath() << " has a negative concentration"
-            << exit(FatalError);
+            << exit(FatalIOError);
     }
     Info<< "Salt transported: D " << diffusivity_ << " m2/s, c from "
         << gMin(c_->primitiveField()) << " to "

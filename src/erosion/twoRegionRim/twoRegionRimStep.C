@@ -4,6 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "twoRegionRim.H"
+#include "caseFile.H"
+#include "errorAt.H"
 #include "error.H"
 
 #include <cmath>
@@ -252,11 +254,15 @@ bool Foam::twoRegionRim::advance(const scalar time)
         {
             if (halving == maxHalvings)
             {
-                FatalErrorInFunction
+                colloid::errorAt
+                (
+                    colloid::caseFile(fileName("system/clayRimDict")),
+                    wordList({"expansion"})
+                )
                     << "No step is found from time " << time_
                     << " s, with the rim at " << radius()
                     << " m and the hole's fraction " << phi_[0] << nl
-                    << exit(FatalError);
+                    << exit(FatalIOError);
             }
 
             deltaT = min(deltaT_, time - time_);

@@ -8,6 +8,7 @@
 #include "StokesSystem.H"
 #include "basicSymmetryFvPatchFields.H"
 #include "checkWords.H"
+#include "errorAt.H"
 #include "emptyFvPatch.H"
 #include "fixedFluxPressureFvPatchScalarField.H"
 #include "fixedGradientFvPatchFields.H"
@@ -16,6 +17,7 @@
 #include "fvcSurfaceIntegrate.H"
 #include "harmonicMean.H"
 #include "readInRange.H"
+#include "unreadField.H"
 #include "scaledLaplacian.H"
 #include "zeroGradientFvPatchFields.H"
 #include "addToRunTimeSelectionTable.H"
@@ -124,7 +126,10 @@ void Foam::fractureFlows::HeleShawFlow::checkBoundaryConditions() const
 
         if (wrong)
         {
-            FatalErrorInFunction
+            colloid::errorAt
+            (
+                p().objectPath(), wordList({"boundaryField", pp.patch().name()})
+            )
                 << "On patch " << pp.patch().name() << " " << wrong << " (U "
                 << Up.type() << ", p " << pp.type() << ")" << nl
                 << "Model " << typeName << " understands" << nl
@@ -133,7 +138,7 @@ void Foam::fractureFlows::HeleShawFlow::checkBoundaryConditions() const
                 << "    inlet by velocity   fixedValue      zeroGradient" << nl
                 << "    inlet by gradient   zeroGradient    fixedGradient" << nl
                 << "for U and p, in this order; symmetryPlane and cyclic"
-                << exit(FatalError);
+                << exit(FatalIOError);
         }
     }
 }
@@ -159,8 +164,21 @@ Foam::fractureFlows::HeleShawFlow::HeleShawFlow
     colloid::checkWords
     (
         coeffs,
-        wordList({"aperture", "transmissivity", "pressureGradient"})
+        wordList
+        ({
+            "aperture", "transmissivity", "pressureGradient",
+            "pressureGradientCoeffs"
+        })
     );
+    if (gMax(mag(U().primitiveField())()) > 0)
+    {
+        colloid::sayUnread
+        (
+            mesh.time(),
+            "U",
+            "but for its boundary conditions, U follows from p"
+        );
+    }
 
     checkBoundaryConditions();
     readControls();
@@ -372,13 +390,16 @@ void Foam::fractureFlows::HeleShawFlow::solve()
     {
         if (errorIfNotConverged_)
         {
-            FatalErrorInFunction
+            FatalIOErrorInFunction
+            (
+                mesh().solutionDict().subOrEmptyDict(typeName)
+            )
                 << "A cell still gains " << residual << " of the largest flux"
                 << " after " << maxIterations_ << " linear solutions; "
                 << residual_ << " was asked for" << nl
                 << "In system/fvSolution, HeleShaw { residual; maxIterations;"
                 << " notConverged warning; } decide about it"
-                << exit(FatalError);
+                << exit(FatalIOError);
         }
         WarningInFunction
             << "Residual " << residual_ << " not reached" << endl;

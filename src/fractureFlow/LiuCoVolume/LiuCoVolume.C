@@ -5,6 +5,7 @@
 
 #include "LiuCoVolume.H"
 #include "calculatedFvPatchFields.H"
+#include "errorAt.H"
 #include "IOdictionary.H"
 #include "surfaceFields.H"
 #include "addToRunTimeSelectionTable.H"
@@ -175,11 +176,11 @@ Foam::viscosityModels::LiuCoVolume::localConcentration() const
 
     if (c && c->dimensions() != dimMoles/dimVolume)
     {
-        FatalErrorInFunction
+        colloid::errorAt(c->objectPath(), wordList({"dimensions"}))
             << c->objectPath() << " has dimensions " << c->dimensions() << nl
             << "A field of this name is taken for the concentration of salt,"
             << " mol/m3, [0 -3 0 0 1 0 0]"
-            << exit(FatalError);
+            << exit(FatalIOError);
     }
 
     return c;

@@ -7,6 +7,7 @@
 #include "StokesSystem.H"
 #include "adjustPhi.H"
 #include "checkWords.H"
+#include "errorAt.H"
 #include "constrainHbyA.H"
 #include "constrainPressure.H"
 #include "findRefCell.H"
@@ -40,7 +41,10 @@ Foam::fractureFlows::NavierStokesFlow::NavierStokesFlow
     pressureFlow(mesh, alpha, coeffs),
     pimple_(mesh, "PIMPLE", false)
 {
-    colloid::checkWords(coeffs, wordList({"pressureGradient"}));
+    colloid::checkWords
+    (
+        coeffs, wordList({"pressureGradient", "pressureGradientCoeffs"})
+    );
 
     setRefCell(p(), pimple_.dict(), pRefCell_, pRefValue_);
     mesh.setFluxRequired(p().name());
@@ -183,7 +187,7 @@ void Foam::fractureFlows::NavierStokesFlow::refuseDivergence() const
 
     if (nTooFast)
     {
-        FatalErrorInFunction
+        colloid::errorAt(mesh().time().controlDict(), "deltaT")
             << "NavierStokes diverges: in a step of "
             << mesh().time().deltaTValue() << " s water passes more than "
             << farTooMany << " cells" << nl
@@ -191,7 +195,7 @@ void Foam::fractureFlows::NavierStokesFlow::refuseDivergence() const
             << "    It is as stable as PIMPLE. Of gel that is free to move, and"
             << " of creeping flow in long steps," << nl
             << "    model Stokes or HeleShaw is the one; of flow with inertia,"
-            << " take a shorter deltaT" << exit(FatalError);
+            << " take a shorter deltaT" << exit(FatalIOError);
     }
 }
 

@@ -9,6 +9,7 @@
 #include "StokesSystem.H"
 #include "LiuCoVolume.H"
 #include "checkWords.H"
+#include "errorAt.H"
 #include "readInRange.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -102,13 +103,16 @@ void Foam::fractureFlows::StokesFlow::checkBoundaryConditions() const
 
         if (StokesSystem::given(Up) && pp.fixesValue() && !pp.coupled())
         {
-            FatalErrorInFunction
+            colloid::errorAt
+            (
+                p().objectPath(), wordList({"boundaryField", pp.patch().name()})
+            )
                 << "On patch " << pp.patch().name() << " both U ("
                 << Up.type() << ") and p (" << pp.type()
                 << ") are given, which is one too many" << nl
                 << "Inlet or outlet by pressure: zeroGradient for U;"
                 << " by velocity, and wall: zeroGradient for p"
-                << exit(FatalError);
+                << exit(FatalIOError);
         }
     }
 }
@@ -123,7 +127,10 @@ Foam::fractureFlows::StokesFlow::StokesFlow
 :
     pressureFlow(mesh, alpha, coeffs)
 {
-    colloid::checkWords(coeffs, wordList({"pressureGradient"}));
+    colloid::checkWords
+    (
+        coeffs, wordList({"pressureGradient", "pressureGradientCoeffs"})
+    );
     checkBoundaryConditions();
     readControls();
 }
@@ -242,13 +249,16 @@ void Foam::fractureFlows::StokesFlow::solve()
     {
         if (errorIfNotConverged_)
         {
-            FatalErrorInFunction
+            FatalIOErrorInFunction
+            (
+                mesh().solutionDict().subOrEmptyDict(typeName)
+            )
                 << "The residual is still " << residuals_.last() << " after "
                 << maxIterations_ << " iterations; " << residual_
                 << " was asked for" << nl
                 << "In system/fvSolution, Stokes { residual; maxIterations;"
                 << " notConverged warning; } decide about it"
-                << exit(FatalError);
+                << exit(FatalIOError);
         }
         WarningInFunction
             << "Residual " << residual_ << " not reached" << endl;

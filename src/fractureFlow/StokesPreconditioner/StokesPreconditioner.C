@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "StokesPreconditioner.H"
+#include "errorAt.H"
 #include "fixedValueFvPatchFields.H"
 #include "fvcSurfaceIntegrate.H"
 #include "linear.H"
@@ -72,11 +73,11 @@ void Foam::StokesPreconditioner::makeA(const volVectorField& U)
 
     if (!returnReduce(held, orOp<bool>()))
     {
-        FatalErrorInFunction
+        colloid::errorAt(U.objectPath(), wordList({"boundaryField"}))
             << "Nothing holds the water: creeping flow needs a patch with a"
             << " given velocity" << nl
             << "(noSlip on a wall, fixedValue on an inlet) in 0/U"
-            << exit(FatalError);
+            << exit(FatalIOError);
     }
 
     A_.reset(new scaledLaplacian<vector>(system_.faceViscosity(), dU_));

@@ -11,14 +11,14 @@
 #include "zeroGradientFvPatchFields.H"
 
 
-void Foam::fractureAperture::findThickness()
+void Foam::fractureAperture::findThickness(const dictionary& coeffs)
 {
     const Vector<label>& solved = mesh_.solutionD();
 
     // A wedge is solved in all directions, and no fracture
     if (solved != mesh_.geometricD() || mesh_.nSolutionD() != 2)
     {
-        FatalErrorInFunction
+        FatalIOErrorInFunction(coeffs)
             << "The mesh has no direction across the fracture: "
             << mesh_.nSolutionD() << " directions are solved in, by its patches"
             << " of type empty" << nl
@@ -26,7 +26,7 @@ void Foam::fractureAperture::findThickness()
             << " with type empty for the patches in front and behind." << nl
             << "Platelets (clayFoam) move in three dimensions and cannot have"
             << " that: for them Stokes or NavierStokes"
-            << exit(FatalError);
+            << exit(FatalIOError);
     }
 
     labelList nEmptyFaces(mesh_.nCells(), Zero);
@@ -52,10 +52,10 @@ void Foam::fractureAperture::findThickness()
 
     if (!returnReduce(oneCell, andOp<bool>()))
     {
-        FatalErrorInFunction
+        FatalIOErrorInFunction(coeffs)
             << "The mesh is not one cell thick: there are cells without an"
             << " empty patch both in front and behind"
-            << exit(FatalError);
+            << exit(FatalIOError);
     }
 
     thickness_ = gSum(mesh_.V())/returnReduce(area, sumOp<scalar>());
@@ -198,7 +198,7 @@ Foam::fractureAperture::fractureAperture
         zeroGradientFvPatchScalarField::typeName
     )
 {
-    findThickness();
+    findThickness(coeffs);
 
     const bool byAperture = coeffs.found("aperture", keyType::LITERAL);
 

@@ -6,6 +6,7 @@
 #include "localViscosityFlow.H"
 #include "LiuCoVolume.H"
 #include "checkWords.H"
+#include "unreadField.H"
 #include "readInRange.H"
 #include "linear.H"
 #include "fvcSurfaceIntegrate.H"
@@ -139,7 +140,17 @@ Foam::fractureFlows::localViscosityFlow::localViscosityFlow
     checked_(Zero),
     saidAcross_(false)
 {
-    colloid::checkWords(coeffs, wordList({"U", "gelPatch", "asPrinted"}));
+    colloid::checkWords
+    (
+        coeffs, wordList({"U", "UCoeffs", "gelPatch", "asPrinted"})
+    );
+    colloid::sayUnread
+    (
+        mesh.time(),
+        "U",
+        "it follows from U of localViscosityCoeffs (fractureFlowProperties)"
+    );
+    colloid::sayUnread(mesh.time(), "p", "model localViscosity has no pressure");
 
     velocity_ = colloid::readFunction1<vector>(coeffs, "U", "m/s");
     coeffs.readIfPresent("asPrinted", asPrinted_);

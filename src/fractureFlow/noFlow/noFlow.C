@@ -5,6 +5,7 @@
 
 #include "noFlow.H"
 #include "checkWords.H"
+#include "unreadField.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -27,6 +28,8 @@ Foam::fractureFlows::noFlow::noFlow
     fractureFlow(mesh, alpha, coeffs, IOobject::NO_READ)
 {
     colloid::checkWords(coeffs, wordList());
+    colloid::sayUnread(mesh.time(), "U", "model none, the water is at rest");
+    colloid::sayUnread(mesh.time(), "p", "model none has no pressure");
 
     // phi may have been left in the time directory by another model
     phiRef() = dimensionedScalar(phi().dimensions(), Zero);

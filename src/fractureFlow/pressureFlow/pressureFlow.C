@@ -5,6 +5,7 @@
 
 #include "pressureFlow.H"
 #include "LiuCoVolume.H"
+#include "errorAt.H"
 #include "readInRange.H"
 
 Foam::fractureFlows::pressureFlow::pressureFlow
@@ -36,11 +37,11 @@ Foam::fractureFlows::pressureFlow::pressureFlow
 
     if (p_.dimensions() != dimPressure/dimDensity)
     {
-        FatalErrorInFunction
+        colloid::errorAt(p_.objectPath(), wordList({"dimensions"}))
             << p_.objectPath() << " has dimensions " << p_.dimensions() << nl
             << "The flow models need the kinematic pressure,"
             << " [0 2 -2 0 0 0 0], as OpenFOAM's incompressible solvers do"
-            << exit(FatalError);
+            << exit(FatalIOError);
     }
 }
 
@@ -84,12 +85,12 @@ void Foam::fractureFlows::pressureFlow::checkInflow
 
     if (mag(net) > tolerance*gross)
     {
-        FatalErrorInFunction
+        colloid::errorAt(U().objectPath(), wordList({"boundaryField"}))
             << "U is given on all patches, and " << net/gross
             << " of what passes them is left over" << nl
             << "Give p on an outlet (fixedValue, and zeroGradient for U), or"
             << " velocities that balance to the residual, " << tolerance
-            << exit(FatalError);
+            << exit(FatalIOError);
     }
 }
 

@@ -6,6 +6,7 @@
 #include "uniformFlow.H"
 #include "checkWords.H"
 #include "readInRange.H"
+#include "unreadField.H"
 #include "linear.H"
 #include "wallPolyPatch.H"
 #include "addToRunTimeSelectionTable.H"
@@ -55,7 +56,12 @@ Foam::fractureFlows::uniformFlow::uniformFlow
 :
     fractureFlow(mesh, alpha, coeffs, IOobject::NO_READ)
 {
-    colloid::checkWords(coeffs, wordList({"U"}));
+    colloid::checkWords(coeffs, wordList({"U", "UCoeffs"}));
+    colloid::sayUnread
+    (
+        mesh.time(), "U", "U of uniformCoeffs (fractureFlowProperties) is"
+    );
+    colloid::sayUnread(mesh.time(), "p", "model uniform has no pressure");
     velocity_ = colloid::readFunction1<vector>(coeffs, "U", "m/s");
 
     warnOfWallsInTheWay();

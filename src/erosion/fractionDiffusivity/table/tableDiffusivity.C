@@ -5,6 +5,7 @@
 
 #include "tableDiffusivity.H"
 #include "addToRunTimeSelectionTable.H"
+#include "caseFile.H"
 #include "IFstream.H"
 #include "readInRange.H"
 
@@ -169,7 +170,7 @@ Foam::fractionDiffusivities::tableDiffusivity::tableDiffusivity
 )
 :
     fractionDiffusivity(dict, {"file"}),
-    file_(dict.get<fileName>("file", keyType::LITERAL).expand()),
+    file_(colloid::caseFile(dict, "file")),
     concentration_(0),
     warned_(false)
 {
