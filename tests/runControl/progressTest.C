@@ -86,6 +86,21 @@ TEST(progress, fitsInto80Columns)
 }
 
 
+// A run of a millisecond in steps of a picosecond
+TEST(progress, showsEachStep)
+{
+    autoPtr<Time> runTime(timeUntil(1e-3, 1.0001e-3));
+    const progress log(*runTime);
+    runTime->setDeltaT(1e-12);
+    runTime->setTime(1e-3 + 1e-12, 1);
+    const std::string before(log.line(-1, 0));
+    runTime->setTime(1e-3 + 2e-12, 2);
+
+    EXPECT_EQ(before.substr(0, 18), "t = 1.000000001 ms");
+    EXPECT_NE(before.substr(0, 18), log.line(-1, 0).substr(0, 18));
+}
+
+
 TEST(progress, doesWithoutAnEnd)
 {
     autoPtr<Time> runTime(timeUntil(0, 2));

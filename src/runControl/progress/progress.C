@@ -111,7 +111,13 @@ std::string Foam::progress::line
     // One unit for all lines of a run
     const timeUnit unit = unitFor(endIsKnown ? end : now);
 
-    std::string text = formatted("t = %-.5g %s", now/unit.seconds, unit.name);
+    // Each step shows: 1.0000001 ms after 1 ms
+    const scalar steps = std::abs(now)/max(time_.deltaTValue(), VSMALL);
+    const int digits =
+        max(5, min(15, 2 + int(std::log10(max(steps, scalar(1))))));
+
+    std::string text =
+        formatted("t = %-.*g %s", digits, now/unit.seconds, unit.name);
     text.resize(std::max<std::size_t>(text.size(), 18), ' ');
 
     if (endIsKnown)
