@@ -29,6 +29,7 @@ Description
 #include "fvCFD.H"
 #include "logDigits.H"
 #include "OSspecific.H"
+#include "ownFolders.H"
 #include "parcelScale.H"
 #include "waterLimits.H"
 #include "writtenTimes.H"
@@ -188,6 +189,14 @@ int main(int argc, char *argv[])
         }
     }
 
+    // A 0 that is a link to another case's
+    if (!ownFolders::make(runTime.timePath()))
+    {
+        FatalErrorInFunction
+            << runTime.timePath() << " has a folder that is a link, and it could"
+            << " not be made a folder of this case" << exit(FatalError);
+    }
+
     // An empty cloud writes no files: those of an earlier one would stay
     const fileName cloudPath(runTime.timePath()/cloud::prefix/cloud.name());
     if (isDir(cloudPath))
@@ -195,7 +204,8 @@ int main(int argc, char *argv[])
         rmDir(cloudPath);
     }
 
-    const clayState state(mesh, coarseGraining, smallestSpacing, cloud.size());
+    clayState state(mesh, coarseGraining, smallestSpacing, cloud.size());
+    state.identifyPlaced(cloud, matter.clay());
 
     // A platelet costs about as much as twenty cells of the flow
     volScalarField clayWeights

@@ -99,7 +99,7 @@ Foam::clayCloud::clayCloud
     matter_(matter),
     properties_(mesh.time()),
     axes_(mesh),
-    state_(mesh),
+    state_(mesh, matter),
     interactions_
     (
         matter,
@@ -124,6 +124,8 @@ Foam::clayCloud::clayCloud
     wallResolution::check(mesh, properties_, state_.spacing);
     clayPlatelet::readFields(*this);
     checkCount(labelList());
+    state_.identify(*this, matter.clay());
+    checkPlaces();
     const reducedUnits& units = interactions_.units();
 
     plateletDynamics::periodicBox space;
@@ -151,13 +153,7 @@ Foam::clayCloud::clayCloud
         }
     );
     engine_->setSkinUse(state_.skinUse);
-    engine_->setIntegratorMemory
-    (
-        std::vector<double>
-        (
-            state_.integratorMemory.begin(), state_.integratorMemory.end()
-        )
-    );
+    remember();
     // Of another integrator histories mean something else
     if (state_.integrator != engine_->integratorName())
     {
@@ -203,6 +199,27 @@ Foam::clayCloud::clayCloud
         alpha_.correctBoundaryConditions();
         Uclay_.correctBoundaryConditions();
     }
+}
+
+
+void Foam::clayCloud::remember()
+{
+    const scalar unit = interactions_.units().time();
+    const scalar before = state_.timeUnit;
+
+    if (before > 0 && mag(unit - before) > 1e-9*before)
+    {
+        Info<< "Matter or water are not those of before, and so is the scale of"
+            << " time: steps are found anew" << nl << endl;
+        return;
+    }
+    engine_->setIntegratorMemory
+    (
+        std::vector<double>
+        (
+            state_.integratorMemory.begin(), state_.integratorMemory.end()
+        )
+    );
 }
 
 

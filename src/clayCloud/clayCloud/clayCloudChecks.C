@@ -9,7 +9,32 @@ Description
 #include "clayCloud.H"
 
 #include "fvMesh.H"
+#include "meshIdentity.H"
 #include "Pstream.H"
+
+namespace
+{
+
+//- Whether the cell, its face and that one's point, which give a particle's place,
+//  belong together in this mesh
+bool hasPlace(const Foam::polyMesh& mesh, const Foam::particle& p)
+{
+    const Foam::label facei = p.tetFace();
+
+    return
+        p.cell() >= 0 && p.cell() < mesh.nCells()
+     && facei >= 0 && facei < mesh.nFaces()
+     && p.tetPt() > 0 && p.tetPt() < mesh.faces()[facei].size() - 1
+     && (
+            mesh.faceOwner()[facei] == p.cell()
+         || (
+                mesh.isInternalFace(facei)
+             && mesh.faceNeighbour()[facei] == p.cell()
+            )
+        );
+}
+
+} // End anonymous namespace
 
 
 void Foam::clayCloud::checkState() const
@@ -24,6 +49,54 @@ void Foam::clayCloud::checkState() const
             << state_.objectPath() << ")." << nl
             << "    Run setClay again or put " << state_.coarseGraining
             << " here" << exit(FatalIOError);
+    }
+}
+
+
+void Foam::clayCloud::checkPlaces() const
+{
+    const polyMesh& mesh = mesh_;
+
+    // Digits of x, of the mesh's points and of the weights between these
+    const vector off
+    (
+        4*meshIdentity(mesh).roundOffOfPlaces()
+      + lagAtWalls*state_.spacing*vector::one
+    );
+
+    label elsewhere = 0;
+    for (const clayPlatelet& platelet : *this)
+    {
+        if (!hasPlace(mesh, platelet))
+        {
+            ++elsewhere;
+            continue;
+        }
+        const vector lag
+        (
+            axes_.nearestImage
+            (
+                tracked(platelet.state()) - platelet.position()
+            )
+        );
+        elsewhere +=
+            mag(lag.x()) > off.x() || mag(lag.y()) > off.y()
+         || mag(lag.z()) > off.z();
+    }
+    reduce(elsewhere, sumOp<label>());
+
+    if (elsewhere)
+    {
+        FatalErrorInFunction
+            << "The mesh is not that of the clay: " << elsewhere << " of "
+            << number() << " platelets of time " << mesh_.time().timeName()
+            << " are not in the cells that they are said to be in." << nl
+            << "    Was it renumbered (renumberMesh) or changed after setClay,"
+            << " or after this time was written?" << nl
+            << "    Place the clay anew with setClay in this mesh, or bring back"
+            << " the mesh of before"
+            << (Pstream::parRun() ? "; then decomposePar -force" : "")
+            << exit(FatalError);
     }
 }
 

@@ -159,7 +159,7 @@ void Foam::clayCloud::takeOut(const label inleti, const labelUList& ids)
             deleteParticle(platelet);
         }
     }
-    state_.left(clayState::layerOf(inlets_[inleti].name()), 0) += ids.size();
+    countLeft(clayState::layerOf(inlets_[inleti].name()), ids.size());
 }
 
 

@@ -292,7 +292,7 @@ void Foam::clayCloud::takeBack()
               ? mesh_.boundaryMesh()[i].name()
               : clayState::layerOf(inlets_[i - nPatches].name())
             );
-            state_.left(from, 0) += left[i];
+            countLeft(from, left[i]);
         }
     }
     sumThrough();
@@ -307,7 +307,7 @@ void Foam::clayCloud::follow()
     Cloud<clayPlatelet>::move(*this, tracking, 1);
 
     // Where the mesh ends but the engine's walls did not hold
-    const scalar tolerance = 0.01*state_.spacing;
+    const scalar tolerance = lagAtWalls*state_.spacing;
 
     for (clayPlatelet& platelet : *this)
     {
@@ -396,9 +396,11 @@ void Foam::clayCloud::move(const volVectorField& Uwater, const scalar deltaT)
         engine_->listsExpire();
         state_.skinUse = engine_->skinUse();
         state_.integrator = engine_->integratorName();
+        state_.timeUnit = interactions_.units().time();
 
         // Of surfaces that are no longer counted the sum would be of a part only
         state_.passages.retain(wordHashSet(countedNames_));
+        state_.surfaces.retain(wordHashSet(countedNames_));
 
         const std::vector<double> memory(engine_->integratorMemory());
         state_.integratorMemory.setSize(label(memory.size()));

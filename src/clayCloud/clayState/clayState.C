@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "clayState.H"
-#include "cloud.H"
+#include "clayProperties.H"
 #include "polyMesh.H"
 #include "Time.H"
 
@@ -90,7 +90,11 @@ Foam::fileName Foam::clayState::file()
 }
 
 
-Foam::clayState::clayState(const polyMesh& mesh)
+Foam::clayState::clayState
+(
+    const polyMesh& mesh,
+    const colloid::clayProperties& matter
+)
 :
     IOdictionary(stateObject(mesh, IOobject::READ_IF_PRESENT))
 {
@@ -138,9 +142,31 @@ Foam::clayState::clayState(const polyMesh& mesh)
     readIfPresent("integrator", integrator);
     readIfPresent("skinUse", skinUse);
     readIfPresent("integratorMemory", integratorMemory);
+    readIfPresent("timeUnit", timeUnit);
     readEntry("through", through);
     readLists(*this, "inlets", inlets);
+    readLists(*this, "amountLeft", amountLeft);
     readLists(*this, "passages", passages);
+    readLists(*this, "surfaces", surfaces);
+
+    if (found("identity"))
+    {
+        identity_.reset(new clayIdentity(objectPath(), subDict("identity")));
+        identity_->checkMatter(matter);
+        identity_->checkMesh(mesh);
+        identity_->checkPlacing(mesh.time());
+    }
+    else
+    {
+        Info<< "Not checked whether clay and mesh are those that were placed: "
+            << objectPath() << " is of a version that did not keep what they"
+            << " were" << nl << endl;
+    }
+
+    completeAmounts
+    (
+        pow3(coarseGraining)*matter.clay().volume(), matter.clay().density
+    );
 }
 
 
@@ -160,6 +186,82 @@ Foam::clayState::clayState
     decidedSpacing(meanSpacing),
     entered(number)
 {}
+
+
+void Foam::clayState::identifyPlaced
+(
+    const Cloud<clayPlatelet>& cloud,
+    const colloid::platelet& matter
+)
+{
+    // As it will be read, whatever digits files have
+    const int digits =
+        time().writeFormat() == IOstream::ASCII
+      ? int(IOstream::defaultPrecision()) : 0;
+
+    cloud_ = &cloud;
+    identity_.reset
+    (
+        new clayIdentity
+        (
+            cloud.pMesh(), matter, cloudSum(cloud, digits)
+        )
+    );
+    identity_->placedNow(time().timeName());
+}
+
+
+void Foam::clayState::identify
+(
+    const Cloud<clayPlatelet>& cloud,
+    const colloid::platelet& matter
+)
+{
+    const cloudSum now(cloud);
+
+    if (identity_.valid())
+    {
+        identity_->checkPlatelets(time(), now);
+    }
+    else
+    {
+        identity_.reset(new clayIdentity(cloud.pMesh(), matter, now));
+    }
+    cloud_ = &cloud;
+}
+
+
+void Foam::clayState::completeAmounts
+(
+    const scalar volume,
+    const scalar density
+)
+{
+    forAllConstIters(left, iter)
+    {
+        if (!amountLeft.found(iter.key()))
+        {
+            const scalar all = iter.val()*volume;
+            amountLeft.set(iter.key(), scalarList({all, all*density}));
+        }
+    }
+    forAllIters(passages, iter)
+    {
+        scalarList& passed = iter.val();
+        if (passed.size() == 2)
+        {
+            const scalar forward = passed[0]*volume;
+            const scalar backward = passed[1]*volume;
+            passed.append
+            (
+                scalarList
+                ({
+                    forward, backward, forward*density, backward*density
+                })
+            );
+        }
+    }
+}
 
 
 Foam::label Foam::clayState::allLeft() const
@@ -196,9 +298,27 @@ bool Foam::clayState::writeData(Ostream& os) const
     {
         writeNumbers(os, "integratorMemory", integratorMemory);
     }
+    os.writeEntry("timeUnit", timeUnit);
     os.writeEntry("through", through);
     writeLists(os, "inlets", inlets);
+    writeLists(os, "amountLeft", amountLeft);
     writeLists(os, "passages", passages);
+    writeLists(os, "surfaces", surfaces);
+
+    if (cloud_)
+    {
+        // Of the places as they are when the time is written, whoever asks for
+        // that, and as they will be read
+        clayIdentity now(*identity_);
+        now.goOn
+        (
+            cloudSum
+            (
+                *cloud_, os.format() == IOstream::ASCII ? precision : 0
+            )
+        );
+        now.write(os);
+    }
 
     os.precision(precision);
     return os.good();

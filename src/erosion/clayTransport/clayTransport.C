@@ -153,6 +153,7 @@ Foam::clayTransport::clayTransport
 :
     mesh_(alpha.mesh()),
     alpha_(alpha),
+    content_(alpha),
     aperture_(apertureRatio),
     packing_
     (

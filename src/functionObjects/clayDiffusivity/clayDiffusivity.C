@@ -52,7 +52,7 @@ Foam::functionObjects::clayDiffusivity::clayDiffusivity
 
     if (has("pointwise") || has("leastSquares"))
     {
-        kept_.reset(new keptNumbers(runTime, name));
+        kept_.reset(new keptNumbers(runTime, name, water()));
     }
 }
 
@@ -68,6 +68,21 @@ const Foam::clayCloud& Foam::functionObjects::clayDiffusivity::cloud() const
             << " clayFoam, not after them" << exit(FatalError);
     }
     return *found;
+}
+
+
+Foam::dictionary Foam::functionObjects::clayDiffusivity::water() const
+{
+    dictionary made;
+    if (mesh_.foundObject<clayCloud>("clay"))
+    {
+        made.add
+        (
+            "concentration",
+            cloud().matter().waterAt(time_.value()).concentration
+        );
+    }
+    return made;
 }
 
 
@@ -238,7 +253,7 @@ void Foam::functionObjects::clayDiffusivity::keep() const
     {
         lists.set(method, fits_[method]->numbers());
     }
-    keptNumbers(time_, name(), lists).save();
+    keptNumbers(time_, name(), lists, water()).save();
 }
 
 

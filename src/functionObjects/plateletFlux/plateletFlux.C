@@ -26,11 +26,9 @@ Foam::functionObjects::plateletFlux::plateletFlux
     fvMeshFunctionObject(name, runTime, dict),
     writeFile(mesh_, name, name, dict),
     lastTime_(runTime.value()),
-    lastNet_(0)
+    last_{0, 0, 0}
 {
     read(dict);
-    const FixedList<scalar, 2> before(passed());
-    lastNet_ = before[0] - before[1];
     writeHeading();
 }
 
@@ -41,6 +39,8 @@ bool Foam::functionObjects::plateletFlux::read(const dictionary& dict)
     writeFile::read(dict);
 
     clayCloud& clay = cloud(dict);
+    const bool first = !surface_.valid();
+    const amount before(first ? amount{0, 0, 0} : net());
     surface_.reset
     (
         new fluxSurface
@@ -52,6 +52,13 @@ bool Foam::functionObjects::plateletFlux::read(const dictionary& dict)
     if (surface_->openPatch().empty())
     {
         clay.countThrough(name(), surface_->triangles());
+    }
+
+    // What passed through another surface is not since the line before
+    const amount now(net());
+    if (first || now.number != before.number)
+    {
+        last_ = now;
     }
     return true;
 }
@@ -86,6 +93,31 @@ Foam::functionObjects::plateletFlux::passed() const
 
     // Through such patches platelets leave; none enters
     return {scalar(clay.state().left.lookup(patch, 0)), scalar(0)};
+}
+
+
+Foam::functionObjects::plateletFlux::amount
+Foam::functionObjects::plateletFlux::net() const
+{
+    const clayCloud& clay = mesh_.lookupObject<clayCloud>("clay");
+    const FixedList<scalar, 2> number(passed());
+    const word& patch = surface_->openPatch();
+
+    amount result{number[0] - number[1], 0, 0};
+
+    if (patch.empty())
+    {
+        const scalarList& counted = clay.passages(name());
+        result.volume = counted[2] - counted[3];
+        result.mass = counted[4] - counted[5];
+    }
+    else if (clay.state().amountLeft.found(patch))
+    {
+        const scalarList& left = clay.state().amountLeft[patch];
+        result.volume = left[0];
+        result.mass = left[1];
+    }
+    return result;
 }
 
 
@@ -128,35 +160,38 @@ bool Foam::functionObjects::plateletFlux::write()
     const clayCloud& clay = mesh_.lookupObject<clayCloud>("clay");
     const FixedList<scalar, 2> now(passed());
 
-    const scalar net = now[0] - now[1];
-    const scalar since = net - lastNet_;
+    const amount all(net());
+    const scalar since = (all.number - last_.number)*clay.parcelNumber();
     const scalar duration = time_.value() - lastTime_;
-    const scalar rate = duration > 0 ? since/duration : 0;
+    const auto rate = [&](const scalar change)
+    {
+        return duration > 0 ? change/duration : 0;
+    };
 
-    Log << type() << ' ' << name() << ": " << since*clay.parcelNumber()
+    Log << type() << ' ' << name() << ": " << since
         << " platelets since " << lastTime_ << " s, "
-        << net*clay.parcelNumber() << " in all" << endl;
+        << all.number*clay.parcelNumber() << " in all" << endl;
 
     if (Pstream::master())
     {
         OFstream& os = file();
 
         os  << time_.value();
-        for (const scalar count : {now[0], now[1], net})
+        for (const scalar count : {now[0], now[1], all.number})
         {
             // All digits
             os  << tab << std::to_string(std::int64_t(count)).c_str();
         }
-        os  << tab << net*clay.parcelNumber()
-            << tab << net*clay.parcelVolume()
-            << tab << net*clay.parcelMass()
-            << tab << since*clay.parcelNumber()
-            << tab << rate*clay.parcelNumber()
-            << tab << rate*clay.parcelVolume()
-            << tab << rate*clay.parcelMass()
+        os  << tab << all.number*clay.parcelNumber()
+            << tab << all.volume
+            << tab << all.mass
+            << tab << since
+            << tab << rate(since)
+            << tab << rate(all.volume - last_.volume)
+            << tab << rate(all.mass - last_.mass)
             << endl;
     }
     lastTime_ = time_.value();
-    lastNet_ = net;
+    last_ = all;
     return true;
 }

@@ -176,25 +176,40 @@ void Foam::functionObjects::rimErosion::keep() const
     if (time_.writeTime() && !steady())
     {
         HashTable<scalarList> lists;
+        lists.set("masses", scalarList({eroded_, supplied_}));
         lists.set
         (
-            "masses", scalarList({eroded_, supplied_, clayAtStart_})
+            "volumes",
+            scalarList({volumeEroded_, volumeSupplied_, volumeAtStart_})
         );
-        keptNumbers(time_, name(), lists).save();
+        keptNumbers(time_, name(), lists, source_).save();
     }
 }
 
 
 void Foam::functionObjects::rimErosion::restore()
 {
-    const keptNumbers kept(time_, name());
-    const auto found = kept.lists.cfind("masses");
+    const keptNumbers kept(time_, name(), source_);
+    const scalarList masses(kept.lists.lookup("masses", scalarList()));
+    const scalarList volumes(kept.lists.lookup("volumes", scalarList()));
 
-    if (found.found() && (*found).size() == 3)
+    if (masses.size() >= 2)
     {
-        eroded_ = (*found)[0];
-        supplied_ = (*found)[1];
-        clayAtStart_ = (*found)[2];
+        eroded_ = masses[0];
+        supplied_ = masses[1];
+    }
+    if (volumes.size() == 3)
+    {
+        volumeEroded_ = volumes[0];
+        volumeSupplied_ = volumes[1];
+        volumeAtStart_ = volumes[2];
+    }
+    else if (masses.size() == 3)
+    {
+        // Older versions had the masses only
+        volumeEroded_ = masses[0]/density_;
+        volumeSupplied_ = masses[1]/density_;
+        volumeAtStart_ = masses[2]/density_;
     }
 }
 
@@ -301,7 +316,9 @@ Foam::functionObjects::rimErosion::rimErosion
     ),
     eroded_(0),
     supplied_(0),
-    clayAtStart_(-1)
+    volumeEroded_(0),
+    volumeSupplied_(0),
+    volumeAtStart_(-1)
 {
     read(dict);
     if (!steady())
@@ -309,9 +326,9 @@ Foam::functionObjects::rimErosion::rimErosion
         restore();
     }
 
-    if (clayAtStart_ < 0 && foundObject<volScalarField>("alpha.clay"))
+    if (volumeAtStart_ < 0 && foundObject<volScalarField>("alpha.clay"))
     {
-        clayAtStart_ = clayBeyond(-GREAT);
+        volumeAtStart_ = clayBeyond(-GREAT)/density_;
     }
 
     writeHeader(file(), "Clay that is lost, and how far it has come");
@@ -360,8 +377,13 @@ bool Foam::functionObjects::rimErosion::execute()
 {
     const scalar deltaT = steady() ? 0 : time_.deltaTValue();
 
-    eroded_ += deltaT*leaving(false);
-    supplied_ -= deltaT*leaving(true);
+    const scalar eroded = deltaT*leaving(false);
+    const scalar supplied = -deltaT*leaving(true);
+
+    eroded_ += eroded;
+    supplied_ += supplied;
+    volumeEroded_ += eroded/density_;
+    volumeSupplied_ += supplied/density_;
     keep();
 
     return true;
@@ -376,8 +398,8 @@ bool Foam::functionObjects::rimErosion::write()
     const scalar imbalance =
         steady()
       ? (supply - rate)/max(max(mag(supply), mag(rate)), VSMALL)
-      : (clay - clayAtStart_ - supplied_ + eroded_)
-       /max(max(clayAtStart_, mag(supplied_)), VSMALL);
+      : (clay/density_ - volumeAtStart_ - volumeSupplied_ + volumeEroded_)
+       /max(max(volumeAtStart_, mag(volumeSupplied_)), VSMALL);
     const scalar extruded = clayBeyond(0);
 
     DynamicList<scalar> fronts;

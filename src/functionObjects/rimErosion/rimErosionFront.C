@@ -17,6 +17,7 @@ void Foam::functionObjects::rimErosion::readSource(const dictionary& dict)
     colloid::checkWords(source, wordList({"patch", "centre", "radius"}));
 
     sourcePatch_ = -1;
+    source_.clear();
 
     if (source.found("patch") == source.found("centre"))
     {
@@ -42,6 +43,9 @@ void Foam::functionObjects::rimErosion::readSource(const dictionary& dict)
                 dimensionedScalar(dimLength, Zero)
             )
         );
+        source_.add("centre", centre);
+        source_.add("radius", radius);
+
         const Vector<label>& solved = mesh_.solutionD();
         const auto fromEdge = [&](vector offset)
         {
@@ -73,6 +77,8 @@ void Foam::functionObjects::rimErosion::readSource(const dictionary& dict)
             source, "patch", patch, mesh_.boundaryMesh().names()
         );
     }
+    source_.add("patch", patch);
+
     const wallDist fromPatch
     (
         mesh_, "meshWave", labelHashSet({sourcePatch_}), "source"

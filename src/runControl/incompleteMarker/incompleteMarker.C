@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "incompleteMarker.H"
+#include "ownFolders.H"
 
 #include <filesystem>
 #include <fstream>
@@ -104,6 +105,10 @@ bool set(const fileName& timeDirectory)
         return !error;
     }
 
+    if (!ownFolders::make(timeDirectory))
+    {
+        return false;
+    }
     std::filesystem::create_directories
     (
         asPath(timeDirectory)/"uniform",
@@ -133,6 +138,11 @@ bool remove(const fileName& timeDirectory)
 
 bool removeTime(const fileName& timeDirectory)
 {
+    // What a link leads to stays
+    if (!ownFolders::make(timeDirectory))
+    {
+        return false;
+    }
     if (!std::ofstream(path(timeDirectory)).good())
     {
         // A time without uniform/: restart data it was not

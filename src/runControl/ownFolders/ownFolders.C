@@ -1,0 +1,96 @@
+/*---------------------------------------------------------------------------*\
+    bentoFoam: bentonite swelling, sol and erosion in fractures, in OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "ownFolders.H"
+
+#include <cstdio>
+#include <fcntl.h>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+bool isLinkToFolder(const fs::path& name)
+{
+    std::error_code error;
+    return fs::is_symlink(name, error) && fs::is_directory(name, error);
+}
+
+
+bool unlinkFolder(const fs::path& link)
+{
+    std::error_code error;
+    fs::path copy(link);
+    copy.replace_filename("." + link.filename().string() + ".own");
+
+    fs::remove_all(copy, error);
+
+    // Links within it become real with it
+    fs::copy(fs::canonical(link, error), copy, fs::copy_options::recursive, error);
+    if (error)
+    {
+        return false;
+    }
+
+    // The two change places at once, so that a kill leaves one or the other,
+    // where the file system can
+    if
+    (
+        ::renameat2
+        (
+            AT_FDCWD, copy.c_str(), AT_FDCWD, link.c_str(), RENAME_EXCHANGE
+        ) == 0
+    )
+    {
+        return fs::remove(copy, error);
+    }
+    return fs::remove(link, error) && (fs::rename(copy, link, error), !error);
+}
+
+} // End anonymous namespace
+
+
+bool Foam::ownFolders::make(const fileName& directory)
+{
+    const fs::path top{std::string(directory)};
+    std::error_code error;
+
+    if (isLinkToFolder(top) && !unlinkFolder(top))
+    {
+        return false;
+    }
+    if (!fs::is_directory(top, error))
+    {
+        return true;
+    }
+
+    // Not while they are looked through
+    std::vector<fs::path> folders;
+    for (const auto& entry : fs::directory_iterator(top, error))
+    {
+        if (entry.is_directory(error))
+        {
+            folders.push_back(entry.path());
+        }
+        else if (entry.is_symlink(error) && !entry.exists(error))
+        {
+            // Where it leads is gone: no folder could take its place
+            fs::remove(entry.path(), error);
+        }
+        error.clear();
+    }
+    for (const fs::path& folder : folders)
+    {
+        if (!make(fileName(folder.string())))
+        {
+            return false;
+        }
+    }
+    return true;
+}
