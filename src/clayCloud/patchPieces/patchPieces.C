@@ -5,6 +5,8 @@
 
 #include "patchPieces.H"
 #include "boundBox.H"
+#include "HashTable.H"
+#include "labelPair.H"
 
 Foam::patchPieces::patchPieces(const patchLayer& layer, const scalar edge)
 :
@@ -38,7 +40,7 @@ Foam::patchPieces::patchPieces(const patchLayer& layer, const scalar edge)
         max(label(1), label(min((high[0] - low[0])/edge, scalar(labelMax/8)))),
         max(label(1), label(min((high[1] - low[1])/edge, scalar(labelMax/8))))
     };
-    Map<label> pieceAt;
+    HashTable<label, labelPair, labelPair::Hash<>> pieceAt;
     forAll(triangles, t)
     {
         label field[2];
@@ -47,7 +49,7 @@ Foam::patchPieces::patchPieces(const patchLayer& layer, const scalar edge)
             const scalar part = (middles[t][i] - low[i])/(high[i] - low[i]);
             field[i] = min(label(part*fields[i]), fields[i] - 1);
         }
-        const label number = field[0] + fields[0]*field[1];
+        const labelPair number(field[0], field[1]);
         if (pieceAt.insert(number, areaUpTo_.size()))
         {
             areaUpTo_.append(scalarList(triangles.size(), Zero));

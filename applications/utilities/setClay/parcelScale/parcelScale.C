@@ -5,6 +5,7 @@
 
 #include "parcelScale.H"
 #include "clayRegion.H"
+#include "countOf.H"
 #include "scales.H"
 #include "Time.H"
 
@@ -114,10 +115,14 @@ Foam::scalar Foam::parcelScale
         << "    clay " << fewest << " spacings of platelets wide, tolerance "
         << tolerance << ": swelling errs by about "
         << errorPerLayer*(alpha - 1)/fewest << " (1.4 (alpha - 1)/spacings)"
-        << nl << "    about " << label(platelets/pow3(alpha)) << " parcels for "
-        << label(platelets) << " platelets, but for whole spacings of a lattice" << nl
-        << "    about " << label(1/(sqr(alpha)*step)) << " evaluations per second"
-        << " of the clay's time for " << label(1/step) << nl
+        << nl << "    about "
+        << colloid::inDigits(std::floor(platelets/pow3(alpha))).c_str()
+        << " parcels for " << colloid::inDigits(std::floor(platelets)).c_str()
+        << " platelets, but for whole spacings of a lattice" << nl
+        << "    about "
+        << colloid::inDigits(std::floor(1/(sqr(alpha)*step))).c_str()
+        << " evaluations per second of the clay's time for "
+        << colloid::inDigits(std::floor(1/step)).c_str() << nl
         << "    (fixed step of Adams-Bashforth 2), in all "
         << 0.1*std::round(10*pow5(alpha)) << " times less work" << nl;
 

@@ -44,8 +44,10 @@ Foam::randomArrangement::randomArrangement
 
 Foam::pointField Foam::randomArrangement::place(Random& random)
 {
-    const label number =
-        max(label(1), label(std::round(region_.volume()/pow3(spacing_))));
+    const label number = numberToPlace
+    (
+        max(scalar(1), std::round(region_.volume()/pow3(spacing_))), dict_
+    );
     const scalar distance = minimumDistance_*spacing_;
     placedPoints placed(scene_.axes, max(distance, 0.1*spacing_));
 
