@@ -22,9 +22,11 @@ Description
 #include "clayPlatelet.H"
 #include "clayProperties.H"
 #include "clayState.H"
+#include "clayWeights.H"
 #include "Cloud.H"
 #include "cloudProperties.H"
 #include "completeTimes.H"
+#include "countOf.H"
 #include "dictionaryText.H"
 #include "fvCFD.H"
 #include "logDigits.H"
@@ -157,6 +159,18 @@ int main(int argc, char *argv[])
         }
     }
 
+    const scalar filled =
+        cloud.size()*scene.parcelVolume/sum(mesh.V()).value();
+    if (filled >= 1)
+    {
+        FatalIOErrorInFunction(setClayDict)
+            << "All groups together, " << cloud.size() << ' ' << counted
+            << " of " << scene.parcelVolume << " m3, would fill " << filled
+            << " of the mesh." << nl
+            << "    A solid fraction lies between 0 and 1. Is the mesh in metres?"
+            << exit(FatalIOError);
+    }
+
     const scalar inletFraction = properties.largestInletFraction();
     if (inletFraction > 0)
     {
@@ -207,25 +221,28 @@ int main(int argc, char *argv[])
     clayState state(mesh, coarseGraining, smallestSpacing, cloud.size());
     state.identifyPlaced(cloud, matter.clay());
 
-    // A platelet costs about as much as twenty cells of the flow
-    volScalarField clayWeights
+    if
     (
-        IOobject("clayWeights", runTime.timeName(), mesh),
-        mesh,
-        dimensionedScalar("1", dimless, 1)
-    );
-    for (const clayPlatelet& platelet : cloud)
-    {
-        clayWeights[platelet.cell()] += 20;
-    }
-
-    if (!cloud.write() || !state.regIOobject::write() || !clayWeights.write())
+        !cloud.write()
+     || !state.regIOobject::write()
+     || !writeClayWeights(mesh, cloud)
+    )
     {
         FatalErrorInFunction
             << "Cannot write to " << runTime.timePath() << exit(FatalError);
     }
 
-    Info<< "\nWrote " << cloud.size() << " to "
+    Info<< "\nWrote " << cloud.size() << ' ' << counted;
+    if (coarseGraining != 1)
+    {
+        Info<< ", "
+            << colloid::inDigits
+               (
+                   std::round(pow3(coarseGraining)*cloud.size())
+               ).c_str()
+            << " platelets,";
+    }
+    Info<< " to "
         << runTime.timeName()/cloud::prefix/cloud.name() << nl << "\nEnd\n" << endl;
 
     return 0;

@@ -78,7 +78,8 @@ Foam::fileName Foam::colloid::caseFile
     {
         errorAt(dict, keyword)
             << keyword << " is " << written << nl
-            << "There is no file " << path << nl
+            << (isDir(path) ? "A folder, no file: " : "There is no file ")
+            << path << nl
             << "A name that does not begin with / is relative to the case"
             << exit(FatalIOError);
     }

@@ -8,7 +8,7 @@
 #include "boundBox.H"
 #include "caseFile.H"
 #include "checkWords.H"
-#include "IFstream.H"
+#include "placesFile.H"
 #include "polyMesh.H"
 
 namespace Foam
@@ -73,23 +73,17 @@ Foam::scalar Foam::listArrangement::estimatedSpacing
 
 Foam::pointField Foam::listArrangement::place(Random&)
 {
-    IFstream is(file_);
-    if (!is.good())
-    {
-        FatalIOErrorInFunction(is)
-            << "Cannot read the list of places " << file_ << exit(FatalIOError);
-    }
-    const pointField places(is);
+    const pointField places(placesFile(file_).places());
 
     forAll(places, i)
     {
         if (scene_.mesh.findCell(places[i]) < 0)
         {
-            FatalIOErrorInFunction(is)
-                << "Place " << i << " of the list, " << places[i]
+            FatalErrorInFunction
+                << "Place " << i << " of the list " << path << ", " << places[i]
                 << " m, is outside the mesh, which spans "
                 << scene_.mesh.bounds().min() << ' '
-                << scene_.mesh.bounds().max() << " m" << exit(FatalIOError);
+                << scene_.mesh.bounds().max() << " m" << exit(FatalError);
         }
     }
 
