@@ -5,11 +5,12 @@
 
 #include "clayCloud.H"
 #include "asFatalError.H"
-#include "unreadField.H"
+#include "clayWeights.H"
 #include "costReport.H"
 #include "fvMesh.H"
 #include "Pstream.H"
 #include "uniformDimensionedFields.H"
+#include "unreadField.H"
 #include "wallResolution.H"
 #include "waterLimits.H"
 #include "zeroGradientFvPatchFields.H"
@@ -366,12 +367,22 @@ void Foam::clayCloud::report(Ostream& os, costReport& cost) const
     {
         os  << "Parcels of " << parcelNumber() << " platelets: ";
     }
-    os  << state_.entered << " entered, " << inWater() << " inside";
+    // What layers hold, or what was taken out of them, has not been in the water
+    const label inLayersNow = inLayers();
+    label leftLayers = 0;
+    for (const clayInlet& inlet : inlets_)
+    {
+        leftLayers +=
+            state_.left.lookup(clayState::layerOf(inlet.name()), 0);
+    }
+
+    os  << state_.entered - inLayersNow - leftLayers << " entered, "
+        << inWater() << " inside";
     if (inlets_.size())
     {
-        os  << ", " << inLayers() << " in layers of inlets";
+        os  << ", " << inLayersNow << " in layers of inlets";
     }
-    os  << ", " << state_.allLeft() << " left";
+    os  << ", " << state_.allLeft() - leftLayers << " left";
     for (const word& patch : state_.left.sortedToc())
     {
         os  << ", " << state_.left[patch] << " through " << patch;
@@ -389,4 +400,5 @@ void Foam::clayCloud::report(Ostream& os, costReport& cost) const
 void Foam::clayCloud::writeFields() const
 {
     clayPlatelet::writeFields(*this);
+    writeClayWeights(mesh_, *this);
 }

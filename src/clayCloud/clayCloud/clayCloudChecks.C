@@ -12,14 +12,137 @@ Description
 #include "meshIdentity.H"
 #include "Pstream.H"
 
+#include <algorithm>
+
 namespace
 {
 
+using namespace Foam;
+
+//- Ids that are listed in a message
+constexpr label mostListed = 20;
+
+
+void list(OSstream& os, const char* which, const labelUList& ids)
+{
+    if (ids.size())
+    {
+        os  << nl << "    " << which << " ids: "
+            << flatOutput
+               (
+                   labelList
+                   (
+                       SubList<label>(ids, min(ids.size(), mostListed))
+                   )
+               );
+        if (ids.size() > mostListed)
+        {
+            os  << " and " << ids.size() - mostListed << " more";
+        }
+    }
+}
+
+
+//- At a start: FatalError unless each id below state.entered is there once, or has
+//  left. Collective
+void checkIds(const clayCloud& cloud, const clayState& state)
+{
+    labelList own(cloud.size());
+    label i = 0;
+    for (const clayPlatelet& platelet : cloud)
+    {
+        own[i++] = platelet.state().id;
+    }
+    List<labelList> ofRanks(Pstream::nProcs());
+    ofRanks[Pstream::myProcNo()] = std::move(own);
+    Pstream::gatherList(ofRanks);
+    if (!Pstream::master())
+    {
+        return;
+    }
+
+    DynamicList<label> ids;
+    for (const labelList& some : ofRanks)
+    {
+        ids.append(some);
+    }
+    std::sort(ids.begin(), ids.end());
+
+    DynamicList<label> doubled;
+    DynamicList<label> unknown;
+    DynamicList<label> absent;
+    label next = 0;
+    bool onEveryRank = Pstream::parRun() && ids.size();
+    for (auto id = ids.begin(); id != ids.end(); )
+    {
+        const auto after = std::upper_bound(id, ids.end(), *id);
+        if (after - id > 1)
+        {
+            doubled.append(*id);
+        }
+        onEveryRank = onEveryRank && after - id == Pstream::nProcs();
+        if (*id < 0 || *id >= state.entered)
+        {
+            unknown.append(*id);
+        }
+        else
+        {
+            for (; next < *id; ++next)
+            {
+                absent.append(next);
+            }
+            next = *id + 1;
+        }
+        id = after;
+    }
+    for (; next < state.entered; ++next)
+    {
+        absent.append(next);
+    }
+
+    if
+    (
+        doubled.empty()
+     && unknown.empty()
+     && absent.size() == state.allLeft()
+    )
+    {
+        return;
+    }
+
+    const word time(cloud.pMesh().time().timeName());
+    FatalErrorInFunction
+        << "Platelets do not add up: " << state.entered << " entered, "
+        << ids.size() << " are inside and " << state.allLeft() << " left.";
+    if (onEveryRank)
+    {
+        FatalError
+            << nl << "    Each is on every one of the " << Pstream::nProcs()
+            << " processors: time " << time << " was copied to processor*," << nl
+            << "    not decomposed. Remove it there, and say   decomposePar -time "
+            << time << " -force" << exit(FatalError);
+    }
+    list(FatalError, "Doubled", doubled);
+    list(FatalError, "Unknown", unknown);
+    list
+    (
+        FatalError,
+        state.allLeft() ? "Missing (or those that left:)" : "Missing",
+        absent
+    );
+    FatalError
+        << nl << "    A file of " << time << "/lagrangian/clay is missing, or of"
+        << " another run: start from an earlier time, or place" << nl
+        << "    the clay anew with setClay (and decompose the case after that)"
+        << exit(FatalError);
+}
+
+
 //- Whether the cell, its face and that one's point, which give a particle's place,
 //  belong together in this mesh
-bool hasPlace(const Foam::polyMesh& mesh, const Foam::particle& p)
+bool hasPlace(const polyMesh& mesh, const particle& p)
 {
-    const Foam::label facei = p.tetFace();
+    const label facei = p.tetFace();
 
     return
         p.cell() >= 0 && p.cell() < mesh.nCells()
@@ -183,6 +306,13 @@ void Foam::clayCloud::checkFraction()
 
 void Foam::clayCloud::checkCount(const labelUList& idsBefore) const
 {
+    // Before the first step there is no engine yet
+    if (!engine_)
+    {
+        checkIds(*this, state_);
+        return;
+    }
+
     const label inside = number();
 
     if (inside + state_.allLeft() == state_.entered)
@@ -200,13 +330,9 @@ void Foam::clayCloud::checkCount(const labelUList& idsBefore) const
     {
         accounted.append(platelet.state().id);
     }
-    // Before the first step there is no engine yet
-    if (engine_)
+    for (const plateletDynamics::departure& gone : engine_->departures())
     {
-        for (const plateletDynamics::departure& gone : engine_->departures())
-        {
-            accounted.append(gone.id);
-        }
+        accounted.append(gone.id);
     }
     after[Pstream::myProcNo()] = accounted;
     Pstream::gatherList(before);
@@ -225,8 +351,5 @@ void Foam::clayCloud::checkCount(const labelUList& idsBefore) const
     FatalErrorInFunction
         << "Platelets do not add up: " << state_.entered << " entered, "
         << inside << " are inside and " << state_.allLeft() << " left." << nl
-        << "    Missing ids: " << missing.sortedToc() << nl
-        << "    (at a start: a file of " << mesh_.time().timeName()
-        << "/lagrangian/clay is missing or of another run)"
-        << exit(FatalError);
+        << "    Missing ids: " << missing.sortedToc() << exit(FatalError);
 }

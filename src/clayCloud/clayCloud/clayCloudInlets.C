@@ -4,10 +4,20 @@
 \*---------------------------------------------------------------------------*/
 
 #include "clayCloud.H"
+#include "countOf.H"
 #include "ofAllRanks.H"
 #include "waterLimits.H"
 
 #include "fvMesh.H"
+
+namespace
+{
+
+//- Parts of a flow step beyond which it would never end: each asks all ranks for
+//  the platelets near the inlets
+constexpr Foam::scalar mostParts = 1e7;
+
+} // End anonymous namespace
 
 
 void Foam::clayCloud::findInlets()
@@ -80,11 +90,31 @@ plateletDynamics::boundarySurface Foam::clayCloud::limits() const
 Foam::label Foam::clayCloud::parts(const scalar deltaT) const
 {
     scalar longest = deltaT;
+    word whose;
     for (const clayInlet& inlet : inlets_)
     {
-        longest = min(longest, inlet.interval(mesh_.time().value()));
+        const scalar interval = inlet.interval(mesh_.time().value());
+        if (interval < longest)
+        {
+            longest = interval;
+            whose = inlet.name();
+        }
     }
-    return max(label(1), label(std::ceil(deltaT/longest*(1 - 1e-10))));
+    if (whose.empty())
+    {
+        return 1;
+    }
+    return max
+    (
+        label(1),
+        colloid::countOf
+        (
+            std::ceil(deltaT/longest*(1 - 1e-10)),
+            "parts that inlet " + whose + " divides a flow step into",
+            properties_.inlets(),
+            mostParts
+        )
+    );
 }
 
 

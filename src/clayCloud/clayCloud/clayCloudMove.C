@@ -6,6 +6,7 @@
 #include "clayCloud.H"
 #include "errorAt.H"
 #include "asFatalError.H"
+#include "countOf.H"
 #include "stopwatch.H"
 
 #include "fvcGrad.H"
@@ -18,6 +19,11 @@ namespace
 
 //- Engine steps in a flow step beyond which a user is warned
 constexpr Foam::scalar manySteps = 1e6;
+
+//- Cut-offs, none of which a step can pass, over which water carries platelets in
+//  one flow step: beyond which a user is warned, and beyond which it would never end
+constexpr Foam::scalar longWay = 10;
+constexpr Foam::scalar endlessWay = 1e6;
 
 } // End anonymous namespace
 
@@ -169,25 +175,51 @@ void Foam::clayCloud::sampleFriction()
 }
 
 
-void Foam::clayCloud::checkEngineStep(const scalar deltaT)
+Foam::scalar Foam::clayCloud::checkWay(const scalar deltaT) const
 {
-    const word integrator(engine_->integratorName());
+    const reducedUnits& units = interactions_.units();
 
-    if
-    (
-        stepChecked_
-     || (
-            integrator != "Euler"
-         && integrator != "AdamsBashforth2"
-         && integrator != "LeimkuhlerMatthews"
-        )
-    )
+    scalar fastest = 0;
+    for (const plateletDynamics::vector& v : engine_->local().waterVelocity)
+    {
+        fastest = max(fastest, scalar(v.norm()));
+    }
+    fastest = returnReduce(fastest, maxOp<scalar>())*units.velocity();
+
+    const scalar way = fastest*deltaT;
+    const scalar cutOff = interactions_.settings().cutOff*units.length();
+
+    if (way > endlessWay*cutOff)
+    {
+        FatalErrorInFunction
+            << "Water of " << fastest << " m/s carries platelets over " << way
+            << " m in " << deltaT << " s:" << nl
+            << "    at least " << way/cutOff << " engine steps, of at most the"
+            << " cut-off of " << cutOff << " m." << nl
+            << "    Is the velocity in m/s? Else a smaller deltaT, or"
+            << " adjustTimeStep yes (controlDict)" << exit(FatalError);
+    }
+    return way;
+}
+
+
+void Foam::clayCloud::checkEngineStep(const scalar deltaT, const label parts)
+{
+    const scalar way = checkWay(deltaT);
+
+    if (stepChecked_)
     {
         return;
     }
     stepChecked_ = true;
 
     const reducedUnits& units = interactions_.units();
+    const scalar cutOff = interactions_.settings().cutOff*units.length();
+    const word integrator(engine_->integratorName());
+    const bool fixedSteps =
+        integrator == "Euler"
+     || integrator == "AdamsBashforth2"
+     || integrator == "LeimkuhlerMatthews";
     scalar limit = 0;
     scalar chosen = 0;
     asFatalError
@@ -202,7 +234,50 @@ void Foam::clayCloud::checkEngineStep(const scalar deltaT)
     );
 
     const scalar asked = properties_.engineDeltaT();
-    const scalar step = min(asked > 0 ? asked : chosen, deltaT);
+    const scalar step =
+        min(asked > 0 ? asked : fixedSteps ? chosen : limit, deltaT);
+    const scalar byWay = way/cutOff;
+    const scalar steps = max(deltaT/step*(1 - 1e-10), byWay);
+
+    Info<< "Flow step of " << parts*deltaT << " s: ";
+    if (inlets_.size())
+    {
+        Info<< parts << (parts > 1 ? " parts" : " part") << " for inlets, ";
+    }
+    Info<< (fixedSteps || asked > 0 ? "about " : "at least ")
+        << colloid::inDigits(std::ceil(steps)).c_str() << " engine step"
+        << (steps > 1 ? "s" : "") << (parts > 1 ? " each" : "");
+    if (steps > 1)
+    {
+        Info<< nl << "    limited by ";
+        if (byWay >= steps)
+        {
+            Info<< "the way of the water, " << way << " m, over the cut-off";
+        }
+        else if (asked > 0)
+        {
+            Info<< "engineDeltaT, " << asked << " s";
+        }
+        else
+        {
+            Info<< (step < 0.2*limit ? "speed or random motion" : "stiff forces")
+                << ", to " << step << " s";
+        }
+    }
+    Info<< nl << endl;
+
+    if (way > longWay*cutOff)
+    {
+        WarningInFunction
+            << "Water carries platelets over " << way << " m in " << deltaT
+            << " s, " << byWay << " times the cut-off:" << nl
+            << "    is the velocity in m/s? A smaller deltaT, or adjustTimeStep"
+            << " yes (controlDict)" << nl << endl;
+    }
+    if (!fixedSteps)
+    {
+        return;
+    }
 
     if (step > limit)
     {
@@ -353,7 +428,8 @@ void Foam::clayCloud::follow()
 void Foam::clayCloud::movePart
 (
     const volVectorField& Uwater,
-    const scalar deltaT
+    const scalar deltaT,
+    const label parts
 )
 {
     const reducedUnits& units = interactions_.units();
@@ -368,7 +444,7 @@ void Foam::clayCloud::movePart
     sampleDrag(Uwater);
     sampleFriction();
     driveLayers();
-    checkEngineStep(deltaT);
+    checkEngineStep(deltaT, parts);
     asFatalError
     (
         units, properties_, [&]{ engine_->advance(deltaT/units.time()); }
@@ -387,7 +463,7 @@ void Foam::clayCloud::move(const volVectorField& Uwater, const scalar deltaT)
     for (label part = 0; part < n; ++part)
     {
         supply(deltaT/n);
-        movePart(Uwater, deltaT/n);
+        movePart(Uwater, deltaT/n, n);
     }
 
     // A restart sorts and lists anew: so does the run that goes on

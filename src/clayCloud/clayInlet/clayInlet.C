@@ -5,6 +5,7 @@
 
 #include "clayInlet.H"
 #include "checkWords.H"
+#include "countOf.H"
 #include "volFields.H"
 
 namespace Foam
@@ -30,6 +31,9 @@ constexpr scalar intervalInRelaxations = 0.5;
 //  room for more after which that is said
 constexpr scalar enough = 0.9;
 constexpr scalar longWait = 20;
+
+//- Platelets in a layer, of which every rank knows all
+constexpr scalar mostInLayer = 1e7;
 
 
 label patchNumber(const polyMesh& mesh, const dictionary& dict)
@@ -99,6 +103,13 @@ Foam::clayInlet::clayInlet
     random_(where.properties.seed())
 {
     checkFraction();
+    colloid::countOf
+    (
+        numberIn(shape_.thickness),
+        "platelets or parcels in the layer of inlet " + name,
+        dict,
+        mostInLayer
+    );
 
     if (numberIn(1) < 4)
     {
@@ -183,6 +194,60 @@ void Foam::clayInlet::noteWaiting
             << "    A smaller fraction, a larger patch, or no walls close by"
             << nl << endl;
     }
+}
+
+
+void Foam::clayInlet::checkDue(const scalar time) const
+{
+    const scalar end = scene_.mesh.time().endTime().value();
+    const scalar duration = end - time;
+    // stopAt other than endTime sets the end to GREAT
+    if (duration <= 0 || end > 0.1*GREAT)
+    {
+        return;
+    }
+
+    const scalar number = due(time, duration);
+    if (number < 1)
+    {
+        WarningInFunction
+            << "Inlet " << name_ << " can bring nothing: until the end, in "
+            << duration << " s, " << number << " platelets or parcels" << nl
+            << "    are due at the patch "
+            << scene_.mesh.boundaryMesh()[layer_.patch()].name() << " ("
+            << layer_.area() << " m2, fraction " << fraction_ << ')'
+            << whyFew().c_str() << nl << endl;
+    }
+}
+
+
+Foam::scalar Foam::clayInlet::waterThroughPatch() const
+{
+    const vectorField& U = waterAtPatch();
+    const vectorField::subField areas
+    (
+        scene_.mesh.boundaryMesh()[layer_.patch()].faceAreas()
+    );
+
+    // OpenFOAM's normals point out of the water
+    scalar flow = 0;
+    forAll(U, facei)
+    {
+        flow += max(-(U[facei] & areas[facei]), scalar(0));
+    }
+    return returnReduce(flow, sumOp<scalar>());
+}
+
+
+Foam::scalar Foam::clayInlet::due
+(
+    const scalar time,
+    const scalar duration
+) const
+{
+    return
+        numberIn(1)*Foam::sqrt(duration/relaxationTime(time))
+      + density()*waterThroughPatch()*duration;
 }
 
 
@@ -434,6 +499,12 @@ Foam::clayInlet::change Foam::clayInlet::supply
     const scalar deltaT
 )
 {
+    if (!dueChecked_)
+    {
+        dueChecked_ = true;
+        checkDue(time);
+    }
+
     const List<counts> now(count(near));
     change next;
     bool full = false;
@@ -452,10 +523,13 @@ Foam::clayInlet::change Foam::clayInlet::supply
         if (started_)
         {
             // Rounded up as often as down, so that the mean is kept
-            number = label
+            const scalar whole =
+                std::floor(wanted(piece, now[piece], deltaT) + draw()[0]);
+            const label size = colloid::countOf
             (
-                std::floor(wanted(piece, now[piece], deltaT) + draw()[0])
+                mag(whole), "platelets or parcels due at inlet " + name_, dict_
             );
+            number = whole < 0 ? -size : size;
         }
         else
         {

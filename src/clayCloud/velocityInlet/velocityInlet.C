@@ -21,6 +21,9 @@ namespace
 //- Part of a spacing that the layer moves between two calls of supply
 constexpr Foam::scalar wayPerCall = 0.25;
 
+//- Beyond what water does in a fracture [m/s]
+constexpr Foam::scalar fastest = 0.1;
+
 //- Friction of a platelet that moves whatever pushes it, over its own
 constexpr Foam::scalar unmoved = 1e9;
 
@@ -80,6 +83,15 @@ Foam::velocityInlet::velocityInlet
             << "U is " << U_ << ", but " << layer_.inward()
             << " is the way into the mesh" << exit(FatalIOError);
     }
+    if (mag(U_) > fastest)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Inlet " << name << " moves with " << mag(U_) << " m/s"
+            << (dict.found("flux") ? " (flux/fraction)" : "")
+            << ", faster than the " << fastest << " m/s that are possible." << nl
+            << "    Is it in m/s? A unit may follow it, such as mm/s"
+            << exit(FatalIOError);
+    }
 }
 
 
@@ -136,6 +148,28 @@ Foam::scalar Foam::velocityInlet::wanted
     const scalar whole = std::floor(owed_);
     owed_ -= whole;
     return whole;
+}
+
+
+Foam::scalar Foam::velocityInlet::due
+(
+    const scalar,
+    const scalar duration
+) const
+{
+    const scalar flow =
+        withWater_
+      ? waterThroughPatch() : (U_ & layer_.inward())*layer_.area();
+    return density()*flow*duration;
+}
+
+
+std::string Foam::velocityInlet::whyFew() const
+{
+    return
+        withWater_ && waterThroughPatch() <= 0
+      ? ":\n    no water enters there (fractureFlowProperties)"
+      : ". A longer run, another fraction, or faster?";
 }
 
 
