@@ -223,6 +223,12 @@ void Foam::clayInlet::checkDue(const scalar time) const
 
 Foam::scalar Foam::clayInlet::waterThroughPatch() const
 {
+    // None before a flow is chosen
+    if (!scene_.mesh.foundObject<volVectorField>("U"))
+    {
+        return 0;
+    }
+
     const vectorField& U = waterAtPatch();
     const vectorField::subField areas
     (
