@@ -13,7 +13,8 @@ Description
 
         clayRim -sweep      what uncertain inputs make of the rate
 
-    Writes into postProcessing/clayRim/0. All entries:
+    Writes into postProcessing/clayRim/0, where it replaces its files of another
+    case; which case they are of, the file inputs says. All entries:
     etc/caseDicts/clayRimDict.
 \*---------------------------------------------------------------------------*/
 
@@ -28,7 +29,11 @@ Description
 #include "IOdictionary.H"
 #include "logDigits.H"
 #include "OSspecific.H"
+#include "StringStream.H"
 #include "Time.H"
+
+#include <fstream>
+#include <sstream>
 
 using namespace Foam;
 
@@ -84,6 +89,75 @@ static dictionary diffusivityOf(const Time& runTime)
 }
 
 
+//- The case in words, to the last digit; but for the sweep's
+static std::string inputsOf
+(
+    const dictionary& properties,
+    const dictionary& diffusivity,
+    const dictionary& place
+)
+{
+    dictionary rim(place);
+    rim.remove("sweep");
+
+    OStringStream os;
+    os.precision(17);
+    os  << "// The case of the files beside this one" << nl;
+    properties.write(os, false);
+    diffusivity.write(os, false);
+    rim.write(os, false);
+    return os.str();
+}
+
+
+//- Remove what another run has left: all if it was of another case, otherwise
+//  what this run makes anew. Keeps this case's words beside the files
+static void removeOld
+(
+    const fileName& directory,
+    const std::string& inputs,
+    const bool sweep
+)
+{
+    const fileName file(directory/"inputs");
+    std::ostringstream before;
+    before << std::ifstream(file).rdbuf();
+    const bool same = before.str() == inputs;
+
+    wordList files
+    ({
+        "edgeLoss.dat", "rimPrinted.dat", "rimConservative.dat",
+        "rimFlocculated.dat"
+    });
+    if (!same || !sweep)
+    {
+        files.append(wordList({"history.dat", "profiles.dat"}));
+    }
+    if (!same || sweep)
+    {
+        files.append
+        (
+            wordList({"tornado.dat", "samples.dat", "percentiles.dat"})
+        );
+    }
+    for (const word& old : files)
+    {
+        if (exists(directory/old))
+        {
+            rm(directory/old);
+        }
+    }
+
+    std::ofstream os(file);
+    os << inputs << std::flush;
+    if (!os.good())
+    {
+        FatalErrorInFunction
+            << "Cannot write " << file << nl << exit(FatalError);
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
 int main(int argc, char *argv[])
@@ -127,6 +201,17 @@ int main(int argc, char *argv[])
         runTime.path()/"postProcessing"/"clayRim"/"0"
     );
     mkDir(directory);
+    removeOld
+    (
+        directory,
+        inputsOf
+        (
+            readFile(runTime, "clayProperties", runTime.constant(), true),
+            diffusivity,
+            place.dict()
+        ),
+        args.found("sweep")
+    );
 
     Info<< nl;
     matter.bracket(place.edgeFraction(matter)).write
