@@ -1,10 +1,15 @@
 # bentoFoam, GPL-3.0-or-later
 # Profiles across the fracture that a function object `profile` of the type
 # clayProfile wrote: solid fraction and velocity of the water, at up to six
-# evenly spaced times. In a case, after a run from time 0:
+# evenly spaced times of a run and its restarts. In a case, after or in the run:
 #     gnuplot <bentoFoam>/etc/plots/clayProfile.gp
 
-file = "postProcessing/profile/0/profile.dat"
+# The last table, in the folder of the time at which the run began
+file = system("ls -t postProcessing/profile/*/profile.dat 2>/dev/null | head -n 1")
+if (file eq "") {
+    print "No postProcessing/profile/<time>/profile.dat: has the run a function object `profile`?"
+    exit status 1
+}
 
 # The last time, and every stride-th one before it
 stats file using 1 nooutput

@@ -6,7 +6,6 @@
 #include "clayDiffusivity.H"
 #include "addToRunTimeSelectionTable.H"
 #include "checkWords.H"
-#include "functionObjectWords.H"
 #include "readInRange.H"
 #include "volFields.H"
 #include "zeroGradientFvPatchFields.H"
@@ -27,10 +26,30 @@ using namespace Foam;
 
 const wordList methodNames({"pointwise", "leastSquares", "equilibrium"});
 
+//- The table with the first three columns of the first method
+const word commonTable("diffusivity");
+
 //- Change of the salt's concentration from which on another equilibrium counts
 constexpr scalar otherWater = 0.01;
 
 } // End anonymous namespace
+
+
+Foam::functionObjects::runFunction::requirements
+Foam::functionObjects::clayDiffusivity::needs()
+{
+    return
+    {
+        {
+            "methods", "fractions", "bins", "spacing", "margin", "pieces",
+            "equilibrium"
+        },
+        "clayFoam",
+        {"clay", "alpha.clay", "U.clay", "U"},
+        "the law of force and friction is that of the run's platelets",
+        false
+    };
+}
 
 
 Foam::functionObjects::clayDiffusivity::clayDiffusivity
@@ -40,8 +59,8 @@ Foam::functionObjects::clayDiffusivity::clayDiffusivity
     const dictionary& dict
 )
 :
-    fvMeshFunctionObject(name, runTime, dict),
-    writeFile(mesh_, name),
+    runFunction(name, runTime, dict, needs()),
+    runTable(mesh_, name),
     margin_(-1),
     wantedPieces_(label(0)),
     axes_(mesh_),
@@ -50,7 +69,7 @@ Foam::functionObjects::clayDiffusivity::clayDiffusivity
 {
     read(dict);
 
-    if (has("pointwise") || has("leastSquares"))
+    if (!idle() && (has("pointwise") || has("leastSquares")))
     {
         kept_.reset(new keptNumbers(runTime, name, water()));
     }
@@ -59,15 +78,7 @@ Foam::functionObjects::clayDiffusivity::clayDiffusivity
 
 const Foam::clayCloud& Foam::functionObjects::clayDiffusivity::cloud() const
 {
-    const clayCloud* found = mesh_.findObject<clayCloud>("clay");
-
-    if (!found)
-    {
-        FatalErrorInFunction
-            << "There is no cloud of clay: clayDiffusivity works in runs of"
-            << " clayFoam, not after them" << exit(FatalError);
-    }
-    return *found;
+    return mesh_.lookupObject<clayCloud>("clay");
 }
 
 
@@ -94,18 +105,8 @@ bool Foam::functionObjects::clayDiffusivity::has(const word& method) const
 
 bool Foam::functionObjects::clayDiffusivity::read(const dictionary& dict)
 {
-    fvMeshFunctionObject::read(dict);
-    writeFile::read(dict);
-
-    colloid::checkWords
-    (
-        dict,
-        functionObjectWords
-        ({
-            "methods", "fractions", "bins", "spacing", "margin", "pieces",
-            "equilibrium"
-        })
-    );
+    runFunction::read(dict);
+    runTable::read(dict);
 
     methods_ = dict.get<wordList>("methods");
     for (const word& method : methods_)
@@ -290,6 +291,12 @@ Foam::vectorField Foam::functionObjects::clayDiffusivity::flux
 
 bool Foam::functionObjects::clayDiffusivity::execute()
 {
+    if (idle())
+    {
+        return true;
+    }
+    beginTables();
+
     if (!has("pointwise") && !has("leastSquares"))
     {
         return true;
@@ -388,8 +395,18 @@ void Foam::functionObjects::clayDiffusivity::writeField
 }
 
 
-bool Foam::functionObjects::clayDiffusivity::write()
+void Foam::functionObjects::clayDiffusivity::beginTables()
 {
+    wordList files(methodNames);
+    files.append(commonTable);
+    runTable::begin(files);
+}
+
+
+void Foam::functionObjects::clayDiffusivity::writeTables(const bool field)
+{
+    beginTables();
+
     if (kept_.valid())
     {
         begin();
@@ -416,17 +433,20 @@ bool Foam::functionObjects::clayDiffusivity::write()
             const string title("Diffusivity of clay by " + method);
             table.write
             (
-                baseTimeDir()/method + ".dat", title, concentration, false
+                timeFolder()/method + ".dat", title, concentration, false
             );
             if (i == 0)
             {
                 table.write
                 (
-                    baseTimeDir()/"diffusivity.dat", title, concentration, true
+                    timeFolder()/commonTable + ".dat",
+                    title,
+                    concentration,
+                    true
                 );
             }
         }
-        if (i == 0)
+        if (i == 0 && field)
         {
             scalarField D(alpha.size());
             forAll(D, celli)
@@ -436,6 +456,28 @@ bool Foam::functionObjects::clayDiffusivity::write()
             writeField("D.clay", sqr(dimLength)/dimTime, D);
         }
     }
+
+    setNow();
+}
+
+
+bool Foam::functionObjects::clayDiffusivity::end()
+{
+    if (!hasNow() && !idle())
+    {
+        writeTables(false);
+    }
+    return true;
+}
+
+
+bool Foam::functionObjects::clayDiffusivity::write()
+{
+    if (idle())
+    {
+        return true;
+    }
+    writeTables(true);
 
     if (pointwise_.size() == mesh_.nCells() && has("pointwise"))
     {

@@ -18,6 +18,22 @@ namespace functionObjects
 }
 
 
+Foam::functionObjects::runFunction::requirements
+Foam::functionObjects::clayProfile::needs(const dictionary& dict)
+{
+    const bool average = dict.getOrDefault("average", false);
+
+    return
+    {
+        {"direction", "slabs", "average"},
+        "clayFoam",
+        {"alpha.clay", "U.clay", "U"},
+        average ? "means over time need each step of the run" : "",
+        true
+    };
+}
+
+
 Foam::functionObjects::clayProfile::clayProfile
 (
     const word& name,
@@ -25,8 +41,8 @@ Foam::functionObjects::clayProfile::clayProfile
     const dictionary& dict
 )
 :
-    fvMeshFunctionObject(name, runTime, dict),
-    writeFile(mesh_, name, name, dict),
+    runFunction(name, runTime, dict, needs(dict)),
+    runTable(mesh_, name),
     direction_(Zero),
     slabs_(0),
     lowest_(0),
@@ -35,9 +51,17 @@ Foam::functionObjects::clayProfile::clayProfile
     duration_(0)
 {
     read(dict);
-    restore();
-    writeHeader(file(), "Means over slabs, one block per time");
-    writeCommented(file(), "time[s]");
+    if (!postProcess)
+    {
+        restore();
+    }
+}
+
+
+void Foam::functionObjects::clayProfile::writeHeading(Ostream& os) const
+{
+    writeHeader(os, "Means over slabs, one block per time");
+    writeCommented(os, "time[s]");
     for
     (
         const char* column
@@ -48,16 +72,16 @@ Foam::functionObjects::clayProfile::clayProfile
         }
     )
     {
-        writeTabbed(file(), column);
+        writeTabbed(os, column);
     }
-    file() << endl;
+    os  << nl;
 }
 
 
 bool Foam::functionObjects::clayProfile::read(const dictionary& dict)
 {
-    fvMeshFunctionObject::read(dict);
-    writeFile::read(dict);
+    runFunction::read(dict);
+    runTable::read(dict);
 
     direction_ = dict.get<vector>("direction");
     if (mag(direction_) < SMALL)
@@ -160,7 +184,7 @@ void Foam::functionObjects::clayProfile::clearIntegral()
 
 void Foam::functionObjects::clayProfile::keep() const
 {
-    if (!average_ || !time_.writeTime())
+    if (!average_ || !time_.writeTime() || postProcess)
     {
         return;
     }
@@ -227,6 +251,12 @@ void Foam::functionObjects::clayProfile::restore()
 
 bool Foam::functionObjects::clayProfile::execute()
 {
+    if (postProcess)
+    {
+        return true;
+    }
+    begin();
+
     if (average_)
     {
         const scalar deltaT = time_.deltaTValue();
@@ -244,6 +274,11 @@ bool Foam::functionObjects::clayProfile::execute()
 
 bool Foam::functionObjects::clayProfile::write()
 {
+    if (!ready())
+    {
+        return true;
+    }
+
     profile mean(duration_ > 0 ? integral_ : present());
     if (duration_ > 0)
     {
@@ -255,7 +290,7 @@ bool Foam::functionObjects::clayProfile::write()
 
     if (Pstream::master())
     {
-        OFstream& os = file();
+        Ostream& os = rows();
 
         for (label slab = 0; slab < slabs_; ++slab)
         {
@@ -267,15 +302,21 @@ bool Foam::functionObjects::clayProfile::write()
             const vector& u = mean.U[slab];
             const vector& q = mean.flux[slab];
 
-            os  << time_.value()
-                << tab << (slab + 0.5)*thickness_
+            writeTime(os);
+            os  << tab << (slab + 0.5)*thickness_
                 << tab << mean.alpha[slab]
                 << tab << u.x() << tab << u.y() << tab << u.z()
                 << tab << q.x() << tab << q.y() << tab << q.z() << nl;
         }
         os  << nl << nl;
-        os.flush();
     }
+    endRows();
     keep();
     return true;
+}
+
+
+bool Foam::functionObjects::clayProfile::end()
+{
+    return hasNow() || write();
 }

@@ -30,22 +30,6 @@ namespace
 
 using namespace Foam;
 
-//- Its own entries, and those of OpenFOAM's function objects
-const wordList& validWords()
-{
-    static const wordList words
-    ({
-        "file", "fields", "compression",
-        "type", "libs", "functionObjectLibs", "enabled", "log", "errors",
-        "useNamePrefix", "region", "writeControl", "writeInterval",
-        "executeControl", "executeInterval", "outputControl",
-        "outputInterval", "timeStart", "timeEnd", "triggerStart",
-        "triggerEnd", "controlMode", "deltaTCoeff", "nStepsToStartTimeChange"
-    });
-    return words;
-}
-
-
 wordList readFields(const dictionary& dict)
 {
     const wordList& valid = h5mdFile::validFields();
@@ -149,13 +133,6 @@ void Foam::functionObjects::h5Trajectory::begin
     const label compression
 )
 {
-    if (!foundObject<Cloud<clayPlatelet>>("clay"))
-    {
-        FatalIOErrorInFunction(dict)
-            << "There is no cloud `clay` in this run; " << type()
-            << " is for clayFoam" << exit(FatalIOError);
-    }
-
     const label number = returnReduce
     (
         lookupObject<Cloud<clayPlatelet>>("clay").size(), sumOp<label>()
@@ -286,7 +263,19 @@ Foam::functionObjects::h5Trajectory::h5Trajectory
     const dictionary& dict
 )
 :
-    fvMeshFunctionObject(name, runTime, dict)
+    runFunction
+    (
+        name,
+        runTime,
+        dict,
+        {
+            {"file", "fields", "compression"},
+            "clayFoam",
+            {"clay"},
+            "the trajectory is that of the run's steps",
+            false
+        }
+    )
 {
     read(dict);
 }
@@ -296,8 +285,12 @@ Foam::functionObjects::h5Trajectory::h5Trajectory
 
 bool Foam::functionObjects::h5Trajectory::read(const dictionary& dict)
 {
-    fvMeshFunctionObject::read(dict);
-    colloid::checkWords(dict, validWords());
+    runFunction::read(dict);
+
+    if (idle())
+    {
+        return true;
+    }
 
     fileName path(dict.getOrDefault<fileName>("file", "clay.h5"));
     if (!path.hasExt("h5") || path.nameLessExt().empty())
@@ -328,6 +321,11 @@ bool Foam::functionObjects::h5Trajectory::read(const dictionary& dict)
 
 bool Foam::functionObjects::h5Trajectory::write()
 {
+    if (idle())
+    {
+        return true;
+    }
+
     const rowsById now(rows());
 
     const string noRoom = problemOfMaster([&]{ file_->reserve(now.total); });

@@ -5,6 +5,7 @@
 
 #include "keptNumbers.H"
 #include "OFstream.H"
+#include "functionObject.H"
 #include "OSspecific.H"
 #include "ownFolders.H"
 #include "PstreamReduceOps.H"
@@ -142,7 +143,7 @@ Foam::keptNumbers::keptNumbers
             }
         }
     }
-    else if (time.timeIndex() > 0)
+    else if (time.timeIndex() > 0 && !functionObject::postProcess)
     {
         Info<< name << ": there is no " << objectPath()
             << ", sums and means begin anew" << nl << endl;

@@ -16,6 +16,20 @@ namespace functionObjects
 }
 
 
+Foam::functionObjects::runFunction::requirements
+Foam::functionObjects::plateletFlux::needs()
+{
+    return
+    {
+        {"surface"},
+        "clayFoam",
+        {"clay"},
+        "platelets are counted as they pass, in each step of the run",
+        true
+    };
+}
+
+
 Foam::functionObjects::plateletFlux::plateletFlux
 (
     const word& name,
@@ -23,22 +37,26 @@ Foam::functionObjects::plateletFlux::plateletFlux
     const dictionary& dict
 )
 :
-    fvMeshFunctionObject(name, runTime, dict),
-    writeFile(mesh_, name, name, dict),
+    runFunction(name, runTime, dict, needs()),
+    runTable(mesh_, name),
     lastTime_(runTime.value()),
     last_{0, 0, 0}
 {
     read(dict);
-    writeHeading();
 }
 
 
 bool Foam::functionObjects::plateletFlux::read(const dictionary& dict)
 {
-    fvMeshFunctionObject::read(dict);
-    writeFile::read(dict);
+    runFunction::read(dict);
+    runTable::read(dict);
 
-    clayCloud& clay = cloud(dict);
+    if (idle())
+    {
+        return true;
+    }
+
+    clayCloud& clay = mesh_.lookupObjectRef<clayCloud>("clay");
     const bool first = !surface_.valid();
     const amount before(first ? amount{0, 0, 0} : net());
     surface_.reset
@@ -61,21 +79,6 @@ bool Foam::functionObjects::plateletFlux::read(const dictionary& dict)
         last_ = now;
     }
     return true;
-}
-
-
-Foam::clayCloud& Foam::functionObjects::plateletFlux::cloud
-(
-    const dictionary& dict
-) const
-{
-    if (!mesh_.foundObject<clayCloud>("clay"))
-    {
-        FatalIOErrorInFunction(dict)
-            << "There is no cloud clay: " << type() << ' ' << name()
-            << " counts platelets, in a run of clayFoam" << exit(FatalIOError);
-    }
-    return mesh_.lookupObjectRef<clayCloud>("clay");
 }
 
 
@@ -121,23 +124,23 @@ Foam::functionObjects::plateletFlux::net() const
 }
 
 
-void Foam::functionObjects::plateletFlux::writeHeading()
+void Foam::functionObjects::plateletFlux::writeHeading(Ostream& os) const
 {
     const clayCloud& clay = mesh_.lookupObject<clayCloud>("clay");
 
     writeHeader
     (
-        file(), "Clay through " + surface_->description() + ", since the start"
+        os, "Clay through " + surface_->description() + ", since the start"
     );
     writeHeader
     (
-        file(), "Rates are means since the line before (or a restart)"
+        os, "Rates are means since the line before (or a restart)"
     );
     writeHeaderValue
     (
-        file(), "Platelets of a parcel", clay.parcelNumber()
+        os, "Platelets of a parcel", clay.parcelNumber()
     );
-    writeCommented(file(), "time[s]");
+    writeCommented(os, "time[s]");
     for
     (
         const char* column
@@ -149,14 +152,29 @@ void Foam::functionObjects::plateletFlux::writeHeading()
         }
     )
     {
-        writeTabbed(file(), column);
+        writeTabbed(os, column);
     }
-    file() << endl;
+    os  << nl;
+}
+
+
+bool Foam::functionObjects::plateletFlux::execute()
+{
+    if (!idle())
+    {
+        begin();
+    }
+    return true;
 }
 
 
 bool Foam::functionObjects::plateletFlux::write()
 {
+    if (idle())
+    {
+        return true;
+    }
+
     const clayCloud& clay = mesh_.lookupObject<clayCloud>("clay");
     const FixedList<scalar, 2> now(passed());
 
@@ -174,9 +192,9 @@ bool Foam::functionObjects::plateletFlux::write()
 
     if (Pstream::master())
     {
-        OFstream& os = file();
+        Ostream& os = rows();
 
-        os  << time_.value();
+        writeTime(os);
         for (const scalar count : {now[0], now[1], all.number})
         {
             // All digits
@@ -189,9 +207,16 @@ bool Foam::functionObjects::plateletFlux::write()
             << tab << rate(since)
             << tab << rate(all.volume - last_.volume)
             << tab << rate(all.mass - last_.mass)
-            << endl;
+            << nl;
     }
+    endRows();
     lastTime_ = time_.value();
     last_ = all;
     return true;
+}
+
+
+bool Foam::functionObjects::plateletFlux::end()
+{
+    return hasNow() || write();
 }

@@ -9,7 +9,6 @@
 #include "erosionBracket.H"
 #include "fieldEntries.H"
 #include "fractionDiffusivity.H"
-#include "functionObjectWords.H"
 #include "keptNumbers.H"
 #include "physicalConstants.H"
 #include "surfaceFields.H"
@@ -54,6 +53,20 @@ Foam::IOdictionary constantDictionary
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::functionObjects::runFunction::requirements
+Foam::functionObjects::rimErosion::needs()
+{
+    return
+    {
+        {"source", "fractions", "bracket"},
+        "erosionFoam",
+        {"alpha.clay", "alphaPhi", "apertureRatio", "U"},
+        "",
+        true
+    };
+}
+
 
 void Foam::functionObjects::rimErosion::readBracket(const dictionary& dict)
 {
@@ -187,7 +200,7 @@ void Foam::functionObjects::rimErosion::keep() const
 }
 
 
-void Foam::functionObjects::rimErosion::restore()
+bool Foam::functionObjects::rimErosion::restore()
 {
     const keptNumbers kept(time_, name(), source_);
     const scalarList masses(kept.lists.lookup("masses", scalarList()));
@@ -211,6 +224,11 @@ void Foam::functionObjects::rimErosion::restore()
         volumeSupplied_ = masses[1]/density_;
         volumeAtStart_ = masses[2]/density_;
     }
+    else
+    {
+        return false;
+    }
+    return true;
 }
 
 
@@ -303,8 +321,8 @@ Foam::functionObjects::rimErosion::rimErosion
     const dictionary& dict
 )
 :
-    fvMeshFunctionObject(name, runTime, dict),
-    writeFile(mesh_, name, name, dict),
+    runFunction(name, runTime, dict, needs()),
+    runTable(mesh_, name),
     sourcePatch_(-1),
     edgeFraction_(0),
     density_
@@ -321,18 +339,27 @@ Foam::functionObjects::rimErosion::rimErosion
     volumeAtStart_(-1)
 {
     read(dict);
-    if (!steady())
-    {
-        restore();
-    }
 
-    if (volumeAtStart_ < 0 && foundObject<volScalarField>("alpha.clay"))
+    if (!postProcess)
     {
-        volumeAtStart_ = clayBeyond(-GREAT)/density_;
+        if (!steady())
+        {
+            restore();
+        }
+        if (volumeAtStart_ < 0)
+        {
+            volumeAtStart_ = clayBeyond(-GREAT)/density_;
+        }
     }
+}
 
-    writeHeader(file(), "Clay that is lost, and how far it has come");
-    writeCommented(file(), "Time");
+
+// * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
+
+void Foam::functionObjects::rimErosion::writeHeading(Ostream& os) const
+{
+    writeHeader(os, "Clay that is lost, and how far it has come");
+    writeCommented(os, "Time");
     for
     (
         const char* column :
@@ -342,15 +369,15 @@ Foam::functionObjects::rimErosion::rimErosion
         }
     )
     {
-        writeTabbed(file(), column);
+        writeTabbed(os, column);
     }
     for (const scalar fraction : fractions_)
     {
         const word at(Foam::name(fraction));
-        writeTabbed(file(), "farthest(" + at + ")[m]");
-        writeTabbed(file(), "mean(" + at + ")[m]");
+        writeTabbed(os, "farthest(" + at + ")[m]");
+        writeTabbed(os, "mean(" + at + ")[m]");
     }
-    file() << endl;
+    os  << nl;
 }
 
 
@@ -358,13 +385,9 @@ Foam::functionObjects::rimErosion::rimErosion
 
 bool Foam::functionObjects::rimErosion::read(const dictionary& dict)
 {
-    fvMeshFunctionObject::read(dict);
-    writeFile::read(dict);
+    runFunction::read(dict);
+    runTable::read(dict);
 
-    colloid::checkWords
-    (
-        dict, functionObjectWords({"source", "fractions", "bracket"})
-    );
     readSource(dict);
     readBracket(dict);
     fractions_ = dict.getOrDefault<scalarList>("fractions", scalarList());
@@ -375,6 +398,12 @@ bool Foam::functionObjects::rimErosion::read(const dictionary& dict)
 
 bool Foam::functionObjects::rimErosion::execute()
 {
+    if (postProcess)
+    {
+        return true;
+    }
+    begin();
+
     const scalar deltaT = steady() ? 0 : time_.deltaTValue();
 
     const scalar eroded = deltaT*leaving(false);
@@ -392,6 +421,14 @@ bool Foam::functionObjects::rimErosion::execute()
 
 bool Foam::functionObjects::rimErosion::write()
 {
+    if (!ready())
+    {
+        return true;
+    }
+
+    // Of an old time, what the run had added up until then
+    const bool known = !postProcess || steady() || restore();
+
     const scalar rate = leaving(false);
     const scalar supply = -leaving(true);
     const scalar clay = clayBeyond(-GREAT);
@@ -415,25 +452,37 @@ bool Foam::functionObjects::rimErosion::write()
 
     if (Pstream::master())
     {
-        OFstream& os = file();
-        os  << time_.value()
-            << tab << rate << tab << rate*year << tab << rate*1e6*3600
-            << tab << supply << tab << eroded_ << tab << extruded
-            << tab << clay << tab << imbalance;
-        for (const scalar at : fronts)
+        Ostream& os = rows();
+        const auto orNan = [&os](const bool is, const scalar value)
         {
             os  << tab;
-            at == noFront ? os << "nan" : os << at;
+            is ? os << value : os << "nan";
+        };
+
+        writeTime(os);
+        os  << tab << rate << tab << rate*year << tab << rate*1e6*3600
+            << tab << supply;
+        orNan(known, eroded_);
+        os  << tab << extruded << tab << clay;
+        orNan(known, imbalance);
+        for (const scalar at : fronts)
+        {
+            orNan(at != noFront, at);
         }
-        os  << endl;
+        os  << nl;
     }
+    endRows();
     return true;
 }
 
 
 bool Foam::functionObjects::rimErosion::end()
 {
-    if (edge_.valid())
+    if (!hasNow())
+    {
+        write();
+    }
+    if (edge_.valid() && ready())
     {
         writeBracket();
     }
