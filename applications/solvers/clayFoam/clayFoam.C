@@ -16,6 +16,9 @@ Description
     and the cloud that setClay placed. In controlDict, with adjustTimeStep:
     maxCo (Courant number of the water) and maxDisplacement (of a platelet,
     in filter lengths per step).
+
+    With -postProcess (and -time, -latestTime, -func ...) function objects evaluate
+    old times; those that need the run say why.
 \*---------------------------------------------------------------------------*/
 
 #include "checkWords.H"
@@ -24,6 +27,7 @@ Description
 #include "clayState.H"
 #include "costReport.H"
 #include "dictionaryText.H"
+#include "fieldsOfTime.H"
 #include "fractureFlow.H"
 #include "fvCFD.H"
 #include "progress.H"
@@ -35,6 +39,11 @@ int main(int argc, char *argv[])
     (
         "Clay platelets in a water-filled fracture: coupled CFD-DEM"
     );
+
+    // Old times, with OpenFOAM's own Time: nothing of the run is touched
+    #define CREATE_FIELDS createOldFields.H
+    #define NO_CONTROL
+    #include "postProcess.H"
 
     #include "setRootCase.H"
     const fileName begunWith(clayState::file());

@@ -17,12 +17,16 @@ Description
     ddtSchemes steadyState they are iterations, until the residual is reached.
     In controlDict, with adjustTimeStep: maxCo, for flow models that need it,
     and maxDeltaT.
+
+    With -postProcess (and -time, -latestTime, -func ...) function objects evaluate
+    old times; those that need the run say why.
 \*---------------------------------------------------------------------------*/
 
 #include "checkWords.H"
 #include "clayTransport.H"
 #include "costReport.H"
 #include "dictionaryText.H"
+#include "fieldsOfTime.H"
 #include "fractureFlow.H"
 #include "fvCFD.H"
 #include "progress.H"
@@ -35,6 +39,11 @@ int main(int argc, char *argv[])
     (
         "Clay as a continuum: spreading and erosion in a fracture"
     );
+
+    // Old times, with OpenFOAM's own Time: nothing of the run is touched
+    #define CREATE_FIELDS createOldFields.H
+    #define NO_CONTROL
+    #include "postProcess.H"
 
     #include "setRootCase.H"
     const fileName begunWith("alpha.clay");
