@@ -236,6 +236,10 @@ void Foam::functionObjects::clayProfile::restore()
     }
 
     duration_ = numbers[3];
+    if (duration_ > 0)
+    {
+        leaveOutStart();
+    }
     for (label slab = 0; slab < slabs_; ++slab)
     {
         const scalar* of = &numbers[4 + 7*slab];
@@ -272,20 +276,14 @@ bool Foam::functionObjects::clayProfile::execute()
 }
 
 
-bool Foam::functionObjects::clayProfile::write()
+void Foam::functionObjects::clayProfile::append()
 {
-    if (!ready())
-    {
-        return true;
-    }
-
     profile mean(duration_ > 0 ? integral_ : present());
     if (duration_ > 0)
     {
         mean.alpha /= duration_;
         mean.U /= duration_;
         mean.flux /= duration_;
-        clearIntegral();
     }
 
     if (Pstream::master())
@@ -311,12 +309,26 @@ bool Foam::functionObjects::clayProfile::write()
         os  << nl << nl;
     }
     endRows();
-    keep();
+}
+
+
+bool Foam::functionObjects::clayProfile::write()
+{
+    if (ready())
+    {
+        append();
+        clearIntegral();
+        keep();
+    }
     return true;
 }
 
 
 bool Foam::functionObjects::clayProfile::end()
 {
-    return hasNow() || write();
+    if (!hasNow() && ready())
+    {
+        append();
+    }
+    return true;
 }

@@ -232,6 +232,7 @@ Foam::functionObjects::runTable::runTable
     writeFile(obr, name),
     tableName_(name),
     begun_(false),
+    withoutStart_(false),
     lastIndex_(-1)
 {}
 

@@ -10,6 +10,7 @@
 #include "StringStream.H"
 #include "Time.H"
 
+#include <cstdlib>
 #include <fstream>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -23,6 +24,9 @@ std::string Foam::functionObjects::runTable::rowsBefore
     std::ifstream is(file);
     std::string kept, line;
     label cut = 0;
+
+    // But for the round-off of its last digit
+    const scalar start = (1 - 1e-11)*runTime().startTime().value();
     bool inHeading = false;
     bool keeps = true;
 
@@ -41,9 +45,13 @@ std::string Foam::functionObjects::runTable::rowsBefore
         // Empty lines go with the rows before them
         if (line.find_first_not_of(" \t\r") != std::string::npos)
         {
+            const std::string time(line.substr(0, line.find_first_of(" \t")));
             keeps =
                 keepAll
-             || !isAfterStart(line.substr(0, line.find_first_of(" \t")));
+             || !(
+                    isAfterStart(time)
+                 || (withoutStart_ && std::strtod(time.c_str(), nullptr) >= start)
+                );
             cut += !keeps;
         }
         if (keeps)
