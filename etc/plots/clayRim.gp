@@ -15,7 +15,7 @@ profiles = folder."profiles.dat"
 other = "runs/pseudoSteady/".history
 compares = system("test -e ".other." && echo 1 || echo 0") + 0
 blocks = system("grep -c time ".profiles) + 0
-year(k) = system(sprintf("awk '/time/ { if (n++ == %d) printf \"%%.0f\", $3 }' %s", k, profiles))
+year(k) = system(sprintf("LC_ALL=C.UTF-8 awk '/time/ { if (n++ == %d) printf \"%%.0f\", $3 }' %s", k, profiles))
 
 set multiplot layout 1, 3 margins 0.055, 0.985, 0.13, 0.91 spacing 0.075
 set grid lt 1 lw 1 lc rgb "#e4e4e4"

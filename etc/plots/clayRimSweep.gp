@@ -11,14 +11,14 @@ folder = "postProcessing/clayRim/0/"
 tornado = folder."tornado.dat"
 band = folder."percentiles.dat"
 samples = folder."samples.dat"
-base = system("awk '!/^#/ { print $7; exit }' ".tornado) + 0
-at(p) = system(sprintf("awk '$1 == %d { print $2 }' %s", p, band)) + 0
+base = system("LC_ALL=C.UTF-8 awk '!/^#/ { print $7; exit }' ".tornado) + 0
+at(p) = system(sprintf("LC_ALL=C.UTF-8 awk '$1 == %d { print $2 }' %s", p, band)) + 0
 # Of rates in the tornado, with the case's among them
-extreme(sign) = system(sprintf("awk '!/^#/ { for (i = 5; i <= 7; ++i) if ($i > 0 && (!n++ || %s$i > %sx)) x = $i } END { print x }' %s", sign, sign, tornado)) + 0
+extreme(sign) = system(sprintf("LC_ALL=C.UTF-8 awk '!/^#/ { for (i = 5; i <= 7; ++i) if ($i > 0 && (!n++ || %s$i > %sx)) x = $i } END { print x }' %s", sign, sign, tornado)) + 0
 lowest = extreme("-")
 highest = extreme("")
 rows = system("grep -vc '^#' ".tornado) + 0
-left = system("awk '!/^#/ && $NF < 0 { ++n } END { print n + 0 }' ".samples) + 0
+left = system("LC_ALL=C.UTF-8 awk '!/^#/ && $NF < 0 { ++n } END { print n + 0 }' ".samples) + 0
 
 set multiplot
 set bmargin at screen 0.12

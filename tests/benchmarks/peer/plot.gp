@@ -14,7 +14,7 @@ set xrange [7e3:1.5e6]
 set datafile separator ","
 
 rows(program, ranks, instructions) = sprintf("< grep '^moved,%s,[0-9]*,%d,%s,' medians.csv", program, ranks, instructions)
-sets = system("sed -n 's/^moved,bentoFoam,[0-9]*,1,\\([^,]*\\),.*/\\1/p' medians.csv | sort -u | xargs")
+sets = system("sed -n 's/^moved,bentoFoam,[0-9]*,1,\\([^,]*\\),.*/\\1/p' medians.csv | LC_ALL=C.UTF-8 sort -u | xargs")
 ranks(r) = sprintf("%d rank%s", r, r > 1 ? "s" : "")
 
 plot for [r = 1:2] rows("LAMMPS", r, "-") using 3:6 with linespoints \

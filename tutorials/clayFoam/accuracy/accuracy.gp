@@ -15,12 +15,12 @@ rows(knob) = sprintf("< grep '^%s,' %s", knob, file)
 series(knob, name) = sprintf("< grep '^%s,%s,' %s", knob, name, file)
 
 # Smallest and largest of two columns, with room for labels
-bounds(knob, a, b, below, above) = system(sprintf("awk -F, '$1 == \"%s\" { \
+bounds(knob, a, b, below, above) = system(sprintf("LC_ALL=C.UTF-8 awk -F, '$1 == \"%s\" { \
     split($%d \" \" $%d, v, \" \"); for (i in v) if (v[i] > 0) { \
     if (!low || v[i] < low) low = v[i]; if (v[i] > high) high = v[i] } } \
     END { print low/%g \":\" high*%g }' %s", knob, a, b, below, above, file))
 
-default(knob) = sprintf("< awk -F, '$1 == \"%s\" && $4 == 1' %s", knob, file)
+default(knob) = sprintf("< LC_ALL=C.UTF-8 awk -F, '$1 == \"%s\" && $4 == 1' %s", knob, file)
 
 array colour[5] = [0x0072B2, 0xE69F00, 0x009E73, 0xCC79A7, 0x666666]
 array symbol[5] = [7, 5, 9, 13, 11]
@@ -72,7 +72,7 @@ eval "set yrange [" . bounds("kernel", rms, rms, 3, 3) . "]"
 set title "4  kernel: auto with its tolerance, and exact"
 set xlabel "lists and forces [s]"
 set ylabel "root mean square distance of platelets\n from the reference [spacings]"
-exact = real(system(sprintf("awk -F, '$1 == \"kernel\" && $2 == \"exact\" { print $%d }' %s", forces, file)))
+exact = real(system(sprintf("LC_ALL=C.UTF-8 awk -F, '$1 == \"kernel\" && $2 == \"exact\" { print $%d }' %s", forces, file)))
 set arrow 1 from exact, graph 0 to exact, graph 1 nohead lw 2 dt 2 lc rgb colour[2]
 set key bottom left Left reverse
 set label 1 "exact (the reference)" at exact, graph 0.5 rotate by 90 center offset -1, 0 font "sans,11"

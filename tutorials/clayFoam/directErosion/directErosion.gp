@@ -8,7 +8,7 @@ set output "plots/directErosion.png"
 losses = system("tail -n 1 edgeLoss.dat")
 A = 0 + word(losses, 1)
 C = 0 + word(losses, 2)
-fit = system("awk '$1 == 0.25 { print $2, $3, $4/2 }' extrapolated.dat")
+fit = system("LC_ALL=C.UTF-8 awk '$1 == 0.25 { print $2, $3, $4/2 }' extrapolated.dat")
 zero = 0 + word(fit, 1)
 error = 0 + word(fit, 2)
 slope = 0 + word(fit, 3)
@@ -32,7 +32,7 @@ set key bottom right maxrows 6
 plot C with lines lw 2 lc rgb 0 title "theory (C), D of the parcels", \
     A with lines lw 1.5 dt 2 lc rgb 0 title "as printed (A)", \
     "continuum.dat" using 1:2 with lines lw 2 lc rgb "#CC3311" title "erosionFoam, D of the parcels", \
-    for [a in sizes] has(a) ? "< awk '$4 == ".a."' loss.dat" : "< echo NaN NaN NaN NaN NaN" \
+    for [a in sizes] has(a) ? "< LC_ALL=C.UTF-8 awk '$4 == ".a."' loss.dat" : "< echo NaN NaN NaN NaN NaN" \
         using 5:2:(2*$3) with yerrorbars pt 7 lw 1.5 lc rgb colour(int(a)) \
         title (has(a) ? "parcels of ".a."^3" : "")
 
@@ -45,7 +45,7 @@ set object 1 rectangle from 0, zero - error to 25, zero + error fc rgb "#bbbbbb"
 plot zero + slope*x with lines lw 2 lc rgb "#888888" title \
         sprintf("to 0, from L_x/4: %.5f ± %.5f (95 %%), %.1f %% of (C)", zero, error, 100*zero/C), \
     C with lines lw 2 lc rgb 0 title "theory (C)", \
-    for [a in sizes] has(a) ? "< awk '$4 == ".a."' loss.dat" : "< echo NaN NaN NaN NaN NaN" \
+    for [a in sizes] has(a) ? "< LC_ALL=C.UTF-8 awk '$4 == ".a."' loss.dat" : "< echo NaN NaN NaN NaN NaN" \
         using 1:2:(2*$3) with yerrorbars pt 7 lw 1.5 lc rgb colour(int(a)) \
         title (has(a) ? "parcels of ".a."^3" : "")
 unset object 1

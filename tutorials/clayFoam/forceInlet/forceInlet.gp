@@ -34,7 +34,7 @@ set xrange [first*1e3:last*1e3]
 set yrange [20:2000]
 set ylabel "platelets"
 # Through what the first run had let in at a tenth of the time
-reference = real(system(sprintf("awk '/^[^#]/ && $1 >= %g { print -$4; exit }' %s", last/16, passed(1, "entered"))))
+reference = real(system(sprintf("LC_ALL=C.UTF-8 awk '/^[^#]/ && $1 >= %g { print -$4; exit }' %s", last/16, passed(1, "entered"))))
 plot reference*sqrt(x*1e-3/(last/16)) with lines lw 1.5 dt 2 lc rgb "#000000" title "{/Symbol \265} {/Symbol \326}t", \
     for [k = 1:count] passed(k, "entered") using ($1*1e3):(-$4) with lines lw 2.5 lc rgb colour[k] title what(k)
 unset logscale

@@ -11,7 +11,7 @@ table(c, method) = system(sprintf("ls runs/c%s/%s.dat 2>/dev/null || echo /dev/n
 half(c) = 1e6*real(system(sprintf("sed -n 's/.*box *(.*) *([^ ]* [^ ]* \\(.*\\));.*/\\1/p' runs/c%s/system/setClayDict", c)))
 length(c) = 1e6*real(system(sprintf("sed -n 's/^ *filter length *\\([^ ]*\\) m.*/\\1/p' runs/c%s/log.clayFoam", c)))
 array number[2] = ["0.1", "1e-4"]
-width(k) = 1e6*real(system(sprintf("awk '/^[^#]/ && $2 > 1e-6 && $1 > x { x = $1 } END { print x }' %s", file(number[k]))))
+width(k) = 1e6*real(system(sprintf("LC_ALL=C.UTF-8 awk '/^[^#]/ && $2 > 1e-6 && $1 > x { x = $1 } END { print x }' %s", file(number[k]))))
 
 set multiplot layout 4, 2 margins 0.095, 0.985, 0.045, 0.965 spacing 0.1, 0.045
 set grid lt 1 lw 1 lc rgb "#e4e4e4"

@@ -10,7 +10,7 @@ u0 = 1e-5                 # of the water [m/s]
 z(x, y) = y/(2*sqrt(D0*x/u0))
 
 # The column of cells next to a distance along the edge [m]
-profile(x) = sprintf("< awk -v at=%g '{ d = $1 - at; d = d < 0 ? -d : d } NR == FNR { if (NR == 1 || d < least) least = d; next } d < 1.0001*least' runs/withDiffusion/places.dat runs/withDiffusion/places.dat", x)
+profile(x) = sprintf("< LC_ALL=C.UTF-8 awk -v at=%g '{ d = $1 - at; d = d < 0 ? -d : d } NR == FNR { if (NR == 1 || d < least) least = d; next } d < 1.0001*least' runs/withDiffusion/places.dat runs/withDiffusion/places.dat", x)
 array at[5] = [0.0003, 0.001, 0.0025, 0.005, 0.009]
 shade(k) = word("#a6cee3 #6fb1d8 #3f8fc5 #0b4f94 #062a5e", k)
 name(k) = sprintf("%.2g mm", 1e3*at[k])
