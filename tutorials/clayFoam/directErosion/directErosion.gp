@@ -36,14 +36,14 @@ plot C with lines lw 2 lc rgb 0 title "theory (C), D of the parcels", \
         using 5:2:(2*$3) with yerrorbars pt 7 lw 1.5 lc rgb colour(int(a)) \
         title (has(a) ? "parcels of ".a."^3" : "")
 
-set title "loss against the size of the parcels"
+set title "loss against the parcels' size; line: at L_x/4"
 set xlabel "{/Symbol a}/√(x/L_x), as spacing of parcels over the rim [-]"
 set xrange [0:1700]
 set yrange [0.014:0.022]
 set key bottom right maxrows 6
 set object 1 rectangle from 0, zero - error to 25, zero + error fc rgb "#bbbbbb" fs solid noborder
 plot zero + slope*x with lines lw 2 lc rgb "#888888" title \
-        sprintf("to 0, from L_x/4: %.5f ± %.5f (95 %%), %.1f %% of (C)", zero, error, 100*zero/C), \
+        sprintf("to %.5f ± %.5f (95 %%)", zero, error), \
     C with lines lw 2 lc rgb 0 title "theory (C)", \
     for [a in sizes] has(a) ? "< LC_ALL=C.UTF-8 awk '$4 == ".a."' loss.dat" : "< echo NaN NaN NaN NaN NaN" \
         using 1:2:(2*$3) with yerrorbars pt 7 lw 1.5 lc rgb colour(int(a)) \

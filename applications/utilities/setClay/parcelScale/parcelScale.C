@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "parcelScale.H"
+#include "checkWords.H"
 #include "clayRegion.H"
 #include "countOf.H"
 #include "scales.H"

@@ -80,7 +80,7 @@ Foam::pointField Foam::listArrangement::place(Random&)
         if (scene_.mesh.findCell(places[i]) < 0)
         {
             FatalErrorInFunction
-                << "Place " << i << " of the list " << path << ", " << places[i]
+                << "Place " << i << " of the list " << file_ << ", " << places[i]
                 << " m, is outside the mesh, which spans "
                 << scene_.mesh.bounds().min() << ' '
                 << scene_.mesh.bounds().max() << " m" << exit(FatalError);
