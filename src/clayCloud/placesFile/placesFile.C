@@ -30,18 +30,6 @@ bool hasBits(const string& arch, const std::string& kind, const size_t bytes)
      || std::atoi(arch.c_str() + at + kind.size() + 1) == int(8*bytes);
 }
 
-
-//- FatalError: why there is nothing to read
-void noFile(const fileName& path, const char* why)
-{
-    FatalErrorInFunction
-        << "Cannot read the list of places " << path << ": " << why << nl
-        << "    It is a file with   2((1e-7 2e-7 3e-7) (4e-7 2e-7 3e-7))   in"
-        << " metres, or a field of points" << nl
-        << "    that OpenFOAM wrote, such as lagrangian/clay/x"
-        << exit(FatalError);
-}
-
 } // End anonymous namespace
 
 
@@ -50,14 +38,6 @@ Foam::placesFile::placesFile(const fileName& path)
     // OpenFOAM's streams look for name.gz where there is no name
     path_(path.ext() == "gz" && isFile(path, false) ? path.lessExt() : path)
 {
-    if (isDir(path))
-    {
-        noFile(path, "it is a folder");
-    }
-    if (!isFile(path))
-    {
-        noFile(path, "there is no such file");
-    }
     if (path_ != path && isFile(path_, false))
     {
         FatalErrorInFunction
@@ -69,7 +49,9 @@ Foam::placesFile::placesFile(const fileName& path)
     IFstream is(path_);
     if (!is.good())
     {
-        noFile(path, "it cannot be opened (whose is it?)");
+        FatalErrorInFunction
+            << "Cannot open the list of places " << path << ": whose is it?"
+            << exit(FatalError);
     }
 
     readHeader(is);

@@ -318,7 +318,8 @@ void Foam::fluxSurface::readFile(const polyMesh& mesh, const dictionary& dict)
         }
     }
     gather();
-    description_ = "triSurface " + path;
+    description_ = "triSurface " + name;
+    Info<< "Reading " << path << endl;
 
     const boundBox& bounds = mesh.bounds();
     boundBox around;

@@ -204,11 +204,8 @@ void engine::implementation::countWay
 }
 
 
-std::int64_t engine::implementation::stepsFor(double duration)
+std::int64_t engine::implementation::stepsFor(double duration, double step)
 {
-    const double step =
-        settings_.deltaT > 0 ? settings_.deltaT : stableDeltaT();
-
     if (duration/integrator::tooManySteps > step)
     {
         throw userError
@@ -505,17 +502,23 @@ void engine::implementation::advance(double duration)
         evaluateForces(true);
         calculateVelocities();
 
+        const double asked = settings_.deltaT;
+
         if (integrator_->isAdaptive())
         {
-            deltaT =
-                settings_.deltaT > 0
-              ? std::min(settings_.deltaT, remaining) : remaining;
+            deltaT = remaining;
+            if (asked > 0)
+            {
+                stepsFor(remaining, asked);
+                deltaT = std::min(asked, remaining);
+            }
         }
         else
         {
             if (steps == 0 || !choiceHolds(deltaT))
             {
-                steps = stepsFor(remaining);
+                steps =
+                    stepsFor(remaining, asked > 0 ? asked : stableDeltaT());
                 deltaT = remaining/steps;
                 clearChoice();
             }
