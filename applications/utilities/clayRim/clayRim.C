@@ -33,6 +33,7 @@ Description
 #include "Time.H"
 
 #include <fstream>
+#include <memory>
 #include <sstream>
 
 using namespace Foam;
@@ -196,6 +197,21 @@ int main(int argc, char *argv[])
         matter.water()
     );
 
+    // What a run that is refused would have made anew stays
+    const bool swept = args.found("sweep");
+    const auto bracket = matter.bracket(place.edgeFraction(matter));
+    const rimProfiles profiles(place, matter);
+    std::unique_ptr<rimSweep> sweep;
+    std::unique_ptr<rimHistory> history;
+    if (swept)
+    {
+        sweep.reset(new rimSweep(place, properties, diffusivity));
+    }
+    else if (place.dict().found("expansion"))
+    {
+        history.reset(new rimHistory(place, matter));
+    }
+
     const fileName directory
     (
         runTime.path()/"postProcessing"/"clayRim"/"0"
@@ -210,24 +226,20 @@ int main(int argc, char *argv[])
             diffusivity,
             place.dict()
         ),
-        args.found("sweep")
+        swept
     );
 
     Info<< nl;
-    matter.bracket(place.edgeFraction(matter)).write
-    (
-        Info, place.edge(), matter.clay().density
-    );
+    bracket.write(Info, place.edge(), matter.clay().density);
+    profiles.write(directory);
 
-    rimProfiles(place, matter).write(directory);
-
-    if (args.found("sweep"))
+    if (sweep)
     {
-        rimSweep(place, properties, diffusivity).write(directory, Info);
+        sweep->write(directory, Info);
     }
-    else if (place.dict().found("expansion"))
+    if (history)
     {
-        rimHistory(place, matter).run(directory, Info);
+        history->run(directory, Info);
     }
 
     Info<< "ExecutionTime = " << runTime.elapsedCpuTime() << " s" << nl
