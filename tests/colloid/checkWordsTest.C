@@ -144,6 +144,7 @@ TEST(checkWords, findsSlipsWhereAnyWordIsAllowed)
     (
         contains(says(parse("maxdeltat 1;"), solution), "'maxDeltaT'")
     );
+    EXPECT_TRUE(contains(says(parse("maxC0 1;"), solution), "'maxCo'"));
     EXPECT_TRUE
     (
         contains(says(control, parse("erosoin {}")), "did you mean 'erosion'")

@@ -19,15 +19,23 @@ namespace
 
 using Foam::word;
 
+// As a hand or an eye takes it: maxC0 for maxCo
+char plain(const char c)
+{
+    return
+        c == '0' ? 'o'
+      : c == '1' ? 'l'
+      : char(std::tolower(static_cast<unsigned char>(c)));
+}
+
+
 // Damerau-Levenshtein distance of neighbouring swaps ("optimal string
 // alignment"): the errors of a typing hand
 std::size_t typingErrors(const word& a, const word& b)
 {
     const auto same = [](const char x, const char y)
     {
-        return
-            std::tolower(static_cast<unsigned char>(x))
-         == std::tolower(static_cast<unsigned char>(y));
+        return plain(x) == plain(y);
     };
 
     std::vector<std::vector<std::size_t>> d
@@ -68,8 +76,8 @@ std::size_t typingErrors(const word& a, const word& b)
 }
 
 
-// Letters in the wrong case, two swapped, one left out or too many. A word with a
-// digit, an underscore or another letter may be a variable ($deltaT0, $deltaX) or
+// Letters in the wrong case, two swapped, one left out or too many, a digit for the
+// letter that looks like it. Another word with a digit, an underscore or another letter may be a variable ($deltaT0, $deltaX) or
 // what has been put aside (functions_)
 bool isSlip(const word& written, const word& known)
 {
@@ -77,10 +85,7 @@ bool isSlip(const word& written, const word& known)
     {
         const auto letters = [](std::string text)
         {
-            for (char& c : text)
-            {
-                c = char(std::tolower(static_cast<unsigned char>(c)));
-            }
+            std::transform(text.begin(), text.end(), text.begin(), plain);
             std::sort(text.begin(), text.end());
             return text;
         };
