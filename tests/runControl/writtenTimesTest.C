@@ -60,6 +60,6 @@ TEST(writtenTimes, areKeptWhereTheyAreAllThatTheCaseHas)
     const temporaryCase here;
     here.file("10/uniform/restartableTime", "");
 
-    EXPECT_NE(messageOf([&]{writtenTimes(here.path()).remove();}), "");
+    EXPECT_NE(messageOf([&]{writtenTimes(here.path()).checkRemovable();}), "");
     EXPECT_TRUE(here.has("10/uniform/restartableTime"));
 }

@@ -12,7 +12,7 @@ Description
     Writes the cloud `clay`, its state (coarse graining, spacing, number) and
     the cell field clayWeights that decomposePar can balance with. An earlier
     cloud of the same time is replaced. A case with times that a run has written
-    is refused; with -overwrite these are removed first.
+    is refused; with -overwrite these are removed, once all is placed.
 \*---------------------------------------------------------------------------*/
 
 #include "arrangement.H"
@@ -43,7 +43,7 @@ int main(int argc, char *argv[])
 
     argList::addBoolOption
     (
-        "overwrite", "Remove the times that a run has written, then place"
+        "overwrite", "Remove the times that a run has written, and place anew"
     );
 
     #include "setRootCase.H"
@@ -54,7 +54,7 @@ int main(int argc, char *argv[])
     const writtenTimes ofRuns(args.path());
     if (args.found("overwrite"))
     {
-        ofRuns.remove();
+        ofRuns.checkRemovable();
     }
     else
     {
@@ -202,6 +202,9 @@ int main(int argc, char *argv[])
                 << " (constant/clayCloudProperties) brings clay" << nl << endl;
         }
     }
+
+    // Only now that nothing is refused any more
+    ofRuns.remove();
 
     // A 0 that is a link to another case's
     if (!ownFolders::make(runTime.timePath()))

@@ -224,7 +224,8 @@ void Foam::completeTimes::refuse
 Foam::completeTimes::completeTimes
 (
     const fileName& casePath,
-    const fileName& begunWith
+    const fileName& begunWith,
+    const wordHashSet& without
 )
 :
     casePath_(casePath),
@@ -250,7 +251,12 @@ Foam::completeTimes::completeTimes
         const std::string name = entry.path().filename().string();
         scalar value;
 
-        if (entry.is_directory(error) && readScalar(name, value))
+        if
+        (
+            entry.is_directory(error)
+         && readScalar(name, value)
+         && !without.found(word(name, false))
+        )
         {
             const fileName directory(casePath/name);
 

@@ -151,13 +151,9 @@ void Foam::writtenTimes::refuse() const
 }
 
 
-void Foam::writtenTimes::remove() const
+void Foam::writtenTimes::checkRemovable() const
 {
-    if (folders_.empty())
-    {
-        return;
-    }
-    if (!anyOther_)
+    if (folders_.size() && !anyOther_)
     {
         FatalErrorInFunction
             << "All times of the case were written by a run: " << names().c_str()
@@ -165,6 +161,29 @@ void Foam::writtenTimes::remove() const
             << " First copy the one with the boundary conditions to start from"
             << nl << "    (or 0.orig to 0), and remove its uniform/"
             << exit(FatalError);
+    }
+}
+
+
+Foam::wordHashSet Foam::writtenTimes::ofCase() const
+{
+    wordHashSet names;
+    for (const fileName& folder : folders_)
+    {
+        if (folder.find('/') == std::string::npos)
+        {
+            names.insert(word(folder, false));
+        }
+    }
+    return names;
+}
+
+
+void Foam::writtenTimes::remove() const
+{
+    if (folders_.empty())
+    {
+        return;
     }
 
     for (const fileName& folder : folders_)
