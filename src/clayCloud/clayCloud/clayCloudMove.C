@@ -215,11 +215,7 @@ void Foam::clayCloud::checkEngineStep(const scalar deltaT, const label parts)
 
     const reducedUnits& units = interactions_.units();
     const scalar cutOff = interactions_.settings().cutOff*units.length();
-    const word integrator(engine_->integratorName());
-    const bool fixedSteps =
-        integrator == "Euler"
-     || integrator == "AdamsBashforth2"
-     || integrator == "LeimkuhlerMatthews";
+    const bool fixedSteps = !engine_->choosesSteps();
     scalar limit = 0;
     scalar chosen = 0;
     asFatalError
@@ -282,8 +278,9 @@ void Foam::clayCloud::checkEngineStep(const scalar deltaT, const label parts)
     if (step > limit)
     {
         WarningInFunction
-            << "Engine steps of " << step << " s are longer than " << integrator
-            << " is sure to bear here, " << limit << " s:" << nl
+            << "Engine steps of " << step << " s are longer than "
+            << engine_->integratorName().c_str() << " is sure to bear here, "
+            << limit << " s:" << nl
             << "    platelets may jump to and fro, ever farther. A smaller"
             << " engineDeltaT, or integrator auto (clayCloudProperties)" << nl
             << endl;

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "clayInteractions.H"
+#include "integrator.H"
 #include "pairInteraction.H"
 #include "scales.H"
 #include "Time.H"
@@ -196,10 +197,7 @@ void Foam::clayInteractions::decideBrownian(const scalar measure)
     const choice said = properties_.effect("Brownian");
     const word integrator(properties_.integrator());
     const bool canDo =
-        integrator != "Euler"
-     && integrator != "AdamsBashforth2"
-     && integrator != "RKC2"
-     && integrator != "BogackiShampine";
+        plateletDynamics::integrator::canMoveAtRandom(integrator);
 
     if (said == choice::automatic && !canDo)
     {

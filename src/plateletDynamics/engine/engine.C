@@ -170,6 +170,12 @@ std::string engine::integratorName() const
 }
 
 
+bool engine::choosesSteps() const
+{
+    return implementation_->choosesSteps();
+}
+
+
 void engine::setIntegratorMemory(const std::vector<double>& memory)
 {
     implementation_->setIntegratorMemory(memory);

@@ -6,7 +6,7 @@
 
 #include "engineImplementation.H"
 
-#include "stiffness.H"
+#include "localMobility.H"
 #include "stopwatch.H"
 
 #include <cmath>
@@ -100,6 +100,7 @@ engine::implementation::implementation
     settings_(settings),
     ranks_(communicator),
     integrator_(integrator::New(settings)),
+    mobility_(std::make_unique<localMobility>()),
     loops_(vectorLoops::choose(settings.instructions)),
     near_(ranks_, space_, limits_, loops_)
 {
@@ -355,36 +356,10 @@ void engine::implementation::evaluateForces(bool maySort)
 
 void engine::implementation::calculateVelocities()
 {
-    for (std::size_t k = 0; k < local_.size(); ++k)
+    const std::string problem(mobility_->calculateVelocities(local_));
+    if (problem_.empty())
     {
-        vector& velocity = local_.velocity[k];
-        velocity.setZero();
-
-        if (local_.fixed[k])
-        {
-            continue;
-        }
-        if (std::isgreater(local_.friction[k], 0))
-        {
-            velocity =
-                local_.waterVelocity[k]
-              + (1/local_.friction[k])*local_.force[k];
-
-            if (isFinite(velocity))
-            {
-                continue;
-            }
-        }
-        if (problem_.empty())
-        {
-            problem_ = text
-            (
-                "Platelet ", local_.id[k], " has no velocity: water velocity (",
-                local_.waterVelocity[k].transpose(), "), force (",
-                local_.force[k].transpose(), "), friction ", local_.friction[k]
-            );
-        }
-        velocity.setZero();
+        problem_ = problem;
     }
 }
 
@@ -421,7 +396,7 @@ double engine::implementation::stiffness()
         (
             near_.walls(), near_.points(), *force_, all
         );
-        stiffness_ = ranks_.max(decayRateBound(local_, all));
+        stiffness_ = ranks_.max(mobility_->decayRateBound(local_, all));
         stiffnessHolds_ = true;
         ++counters_.stiffnessEvaluations;
     }

@@ -73,14 +73,13 @@ double engine::implementation::stableDeltaT()
 {
     const double rate = stiffness();
 
-    double fastest[2] = {0, 0};
+    double fastest[2] = {0, mobility_->largestEigenvalue(local_)};
     for (std::size_t k = 0; k < local_.size(); ++k)
     {
         if (!local_.fixed[k])
         {
             fastest[0] =
                 std::max(fastest[0], local_.velocity[k].cwiseAbs().maxCoeff());
-            fastest[1] = std::max(fastest[1], 1/local_.friction[k]);
         }
     }
     ranks_.max(fastest, 2);

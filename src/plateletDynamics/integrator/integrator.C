@@ -40,19 +40,44 @@ std::unique_ptr<integrator> make<leimkuhlerMatthews>
 }
 
 
-const std::map
-<
-    std::string,
-    std::unique_ptr<integrator> (*)(const engineSettings&)
-> integrators
+struct choice
 {
-    {"auto", make<automatic>},
-    {"Euler", make<forwardEuler>},
-    {"AdamsBashforth2", make<adamsBashforth2>},
-    {"RKC2", make<chebyshev2>},
-    {"BogackiShampine", make<bogackiShampine>},
-    {"LeimkuhlerMatthews", make<leimkuhlerMatthews>}
+    std::unique_ptr<integrator> (*make)(const engineSettings&);
+
+    //- The one that takes its place where platelets move at random; empty: none
+    std::string atRandom;
 };
+
+
+const std::map<std::string, choice> integrators
+{
+    {"auto", {make<automatic>, "LeimkuhlerMatthews"}},
+    {"Euler", {make<forwardEuler>, ""}},
+    {"AdamsBashforth2", {make<adamsBashforth2>, ""}},
+    {"RKC2", {make<chebyshev2>, ""}},
+    {"BogackiShampine", {make<bogackiShampine>, ""}},
+    {"LeimkuhlerMatthews", {make<leimkuhlerMatthews>, "LeimkuhlerMatthews"}}
+};
+
+
+const choice& find(const std::string& name)
+{
+    const auto found = integrators.find(name);
+
+    if (found == integrators.end())
+    {
+        std::string valid;
+        for (const std::string& one : integrator::names())
+        {
+            valid += (valid.empty() ? "" : ", ") + one;
+        }
+        throw userError
+        (
+            "Unknown integrator " + name + ". Valid integrators: " + valid
+        );
+    }
+    return found->second;
+}
 
 } // End namespace
 
@@ -68,37 +93,35 @@ std::vector<std::string> integrator::names()
 }
 
 
+bool integrator::canMoveAtRandom(const std::string& name)
+{
+    return !find(name).atRandom.empty();
+}
+
+
+std::string integrator::nameFor(const engineSettings& settings)
+{
+    const choice& named = find(settings.integrator);
+
+    if (settings.thermalEnergy <= 0)
+    {
+        return settings.integrator;
+    }
+    if (named.atRandom.empty())
+    {
+        throw userError
+        (
+            "The integrator " + settings.integrator + " does no random motion."
+            " Take auto or LeimkuhlerMatthews, or switch Brownian off"
+        );
+    }
+    return named.atRandom;
+}
+
+
 std::unique_ptr<integrator> integrator::New(const engineSettings& settings)
 {
-    const bool random = settings.thermalEnergy > 0;
-    const std::string name
-    (
-        random && settings.integrator == "auto"
-      ? "LeimkuhlerMatthews" : settings.integrator
-    );
-    const auto found = integrators.find(name);
-
-    if (found == integrators.end())
-    {
-        std::string valid;
-        for (const std::string& one : names())
-        {
-            valid += (valid.empty() ? "" : ", ") + one;
-        }
-        throw userError
-        (
-            "Unknown integrator " + name + ". Valid integrators: " + valid
-        );
-    }
-    if (random && name != "LeimkuhlerMatthews")
-    {
-        throw userError
-        (
-            "The integrator " + name + " does no random motion. Take auto or"
-            " LeimkuhlerMatthews, or switch Brownian off"
-        );
-    }
-    return found->second(settings);
+    return find(nameFor(settings)).make(settings);
 }
 
 } // End namespace plateletDynamics

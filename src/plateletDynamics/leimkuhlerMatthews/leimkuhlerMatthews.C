@@ -6,6 +6,7 @@
 
 #include "leimkuhlerMatthews.H"
 
+#include <algorithm>
 #include <cmath>
 
 namespace plateletDynamics
@@ -14,37 +15,49 @@ namespace plateletDynamics
 double leimkuhlerMatthews::step(motion& system, double deltaT)
 {
     platelets& local = system.local();
+    const mobility& mu = system.forceToVelocity();
 
-    // Two draws a step: the second is for platelets that begin
-    const std::uint64_t draw = 2*steps_++;
-
-    const auto displacementOf = [&](std::size_t k) -> vector
+    const auto begins = [&](double previousStep) { return previousStep <= 0; };
+    const auto draw = [&](std::uint64_t number, std::vector<vector>& random)
     {
-        const double diffusivity = thermalEnergy_/local.friction[k];
-        const double scale = std::sqrt(2*diffusivity/deltaT);
-        const bool begins = local.previousStep[k] <= 0;
-
-        // Random velocities, each of which acts for half a step
-        const vector later(scale*noise_(local.id[k], draw));
-        const vector earlier
-        (
-            begins
-          ? vector(std::sqrt(3.0)*scale*noise_(local.id[k], draw + 1))
-          : vector(local.previousStep[k]/deltaT*local.previousVelocity[k])
-        );
-
-        local.previousVelocity[k] = later;
-        local.previousStep[k] = deltaT;
-
-        vector velocity(local.velocity[k] + 0.5*(earlier + later));
-        if (!local.mobilitySlope.empty())
-        {
-            velocity += diffusivity*local.mobilitySlope[k];
-        }
-        return deltaT*velocity;
+        mu.drawVelocities(local, thermalEnergy_, deltaT, noise_, number, random);
     };
 
-    system.displaceAll(displacementOf);
+    // Two draws a step: the second is for platelets that begin
+    const std::uint64_t number = 2*steps_++;
+    draw(number, later_);
+    if
+    (
+        std::any_of
+        (
+            local.previousStep.begin(), local.previousStep.end(), begins
+        )
+    )
+    {
+        draw(number + 1, begin_);
+    }
+
+    velocity_.resize(local.size());
+    for (std::size_t k = 0; k < local.size(); ++k)
+    {
+        // Each acts for half a step
+        const vector earlier
+        (
+            begins(local.previousStep[k])
+          ? vector(std::sqrt(3.0)*begin_[k])
+          : vector(local.previousStep[k]/deltaT*local.previousVelocity[k])
+        );
+        velocity_[k] = local.velocity[k] + 0.5*(earlier + later_[k]);
+
+        local.previousVelocity[k] = later_[k];
+        local.previousStep[k] = deltaT;
+    }
+    mu.addDrift(local, thermalEnergy_, velocity_);
+
+    system.displaceAll
+    (
+        [&](std::size_t k) -> vector { return deltaT*velocity_[k]; }
+    );
 
     return deltaT;
 }
