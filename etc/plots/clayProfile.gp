@@ -7,7 +7,7 @@
 # The last table, in the folder of the time at which the run began
 file = system("ls -t postProcessing/profile/*/profile.dat 2>/dev/null | head -n 1")
 if (file eq "") {
-    print "No postProcessing/profile/<time>/profile.dat: has the run a function object `profile`?"
+    print "No postProcessing/profile/<time>/profile.dat: has the run a function object named profile?"
     exit status 1
 }
 

@@ -6,13 +6,17 @@
 # With a run of the pseudo-steady model in runs/pseudoSteady, that too
 set encoding utf8
 set terminal pngcairo size 1320, 500 font "sans,13"
-system("mkdir -p plots")
-set output "plots/clayRim.png"
 
 folder = "postProcessing/clayRim/0/"
 history = folder."history.dat"
 profiles = folder."profiles.dat"
 other = "runs/pseudoSteady/".history
+if (system("test -s ".history." && echo 1 || echo 0") + 0 == 0) {
+    print "No ".history.": has clayRimDict an expansion?"
+    exit status 1
+}
+system("mkdir -p plots")
+set output "plots/clayRim.png"
 compares = system("test -e ".other." && echo 1 || echo 0") + 0
 blocks = system("grep -c time ".profiles) + 0
 year(k) = system(sprintf("LC_ALL=C.UTF-8 awk '/time/ { if (n++ == %d) printf \"%%.0f\", $3 }' %s", k, profiles))

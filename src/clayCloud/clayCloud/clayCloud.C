@@ -8,6 +8,7 @@
 #include "clayWeights.H"
 #include "costReport.H"
 #include "fvMesh.H"
+#include "OSspecific.H"
 #include "Pstream.H"
 #include "uniformDimensionedFields.H"
 #include "unreadField.H"
@@ -399,6 +400,16 @@ void Foam::clayCloud::report(Ostream& os, costReport& cost) const
 
 void Foam::clayCloud::writeFields() const
 {
+    // A rank without platelets writes no files: those of an earlier run, whose time
+    // is written anew, would stay
+    const fileName folder
+    (
+        mesh_.time().timePath()/cloud::prefix/cloud::name()
+    );
+    if (isDir(folder))
+    {
+        rmDir(folder);
+    }
     clayPlatelet::writeFields(*this);
     writeClayWeights(mesh_, *this);
 }

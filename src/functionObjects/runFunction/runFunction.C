@@ -15,7 +15,14 @@ Foam::word Foam::functionObjects::runFunction::missing() const
 {
     for (const word& object : needs_.objects)
     {
-        if (!mesh_.foundObject<regIOobject>(object))
+        // A rank may lack a file that the others have
+        if
+        (
+            !returnReduce
+            (
+                mesh_.foundObject<regIOobject>(object), andOp<bool>()
+            )
+        )
         {
             return object;
         }
@@ -38,7 +45,7 @@ void Foam::functionObjects::runFunction::checkWords
         "outputControl", "outputInterval", "timeStart", "timeEnd",
         "triggerStart", "triggerEnd", "controlMode", "deltaTCoeff",
         "nStepsToStartTimeChange", "writePrecision", "writeToFile",
-        "useUserTime"
+        "useUserTime", "updateHeader", "subRegion"
     });
     words.append(needs_.words);
     colloid::checkWords(dict, words);

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <filesystem>
 
 // * * * * * * * * * * * * * * * Local functions * * * * * * * * * * * * * * //
 
@@ -134,34 +135,31 @@ void Foam::functionObjects::runTable::removeOf
 ) const
 {
     const fileName directory(folder()/time);
+    std::error_code error;
 
-    for (const fileName& file : readDir(directory, fileName::FILE))
+    for (const word& name : files)
     {
-        for (const word& name : files)
+        // profile.dat, and profile_0.dat of former versions
+        for
+        (
+            const std::string& file :
+            {
+                name + ".dat", name + "_" + time + ".dat",
+                name + ".dat-unfinished"
+            }
+        )
         {
-            // profile.dat, and profile_0.dat of former versions
-            if
-            (
-                file == name + ".dat"
-             || file == name + "_" + time + ".dat"
-             || file == name + ".dat-unfinished"
-            )
+            // These alone, where OpenFOAM's rm takes profile.dat.gz too
+            if (std::filesystem::remove(std::string(directory/file), error))
             {
                 Info<< "Removes " << directory/file
                     << ", of another run or after its time" << endl;
-                rm(directory/file);
-                break;
             }
         }
     }
-    if
-    (
-        readDir(directory, fileName::FILE).empty()
-     && readDir(directory, fileName::DIRECTORY).empty()
-    )
-    {
-        rmDir(directory);
-    }
+
+    // Only if nothing else is in it
+    std::filesystem::remove(std::string(directory), error);
 }
 
 

@@ -10,6 +10,7 @@
 #include "checkControls.H"
 #include "completeTimes.H"
 #include "fileOperation.H"
+#include "OSspecific.H"
 
 namespace
 {
@@ -95,7 +96,24 @@ Foam::chosenStart::chosenStart
     refuseCollated(controlDict);
     checkControls(controlDict);
 
-    start = completeTimes(rootPath/caseName, begunWith).start(controlDict);
+    const fileName path(rootPath/caseName);
+    start = completeTimes(path, begunWith).start(controlDict);
+
+    // Forgotten reconstructPar, or -parallel
+    if (!Pstream::parRun() && isDir(path/"processor0"))
+    {
+        const instant last(completeTimes(path/"processor0").lastWrittenTime());
+
+        if (last.value() > start.value())
+        {
+            WarningInFunction
+                << "The processor directories have times up to " << last.name()
+                << ", this run starts at " << start.value() << ": tables and"
+                << " trajectories of theirs are cut there." << nl
+                << "    To go on from the former: reconstructPar -latestTime, or"
+                << " start in parallel" << nl << endl;
+        }
+    }
 
     controlDict.set("startFrom", word("startTime"));
     controlDict.set("startTime", start.value());

@@ -163,7 +163,8 @@ Foam::string Foam::completeTimes::missing(const word& time) const
 
     for (const fileName& file : own)
     {
-        if (cloudOf(file).empty())
+        // decomposePar alone reads clayWeights
+        if (cloudOf(file).empty() && file != "clayWeights")
         {
             look(file);
         }
@@ -375,6 +376,18 @@ std::string Foam::completeTimes::names() const
 }
 
 
+Foam::instant Foam::completeTimes::lastWrittenTime() const
+{
+    const label last =
+        lastOf
+        (
+            label(times_.size()) - 1,
+            [&](const label i){return times_[i].written;}
+        );
+    return last < 0 ? instant(0, word()) : times_[last].time;
+}
+
+
 Foam::instant Foam::completeTimes::start(const dictionary& controlDict) const
 {
     const word startFrom
@@ -498,6 +511,18 @@ Foam::instant Foam::completeTimes::start(const dictionary& controlDict) const
     if (taken < wanted)
     {
         Info<< endl;
+    }
+
+    const std::string later
+    (
+        names([&](const label i){return i > wanted && times_[i].written;})
+    );
+    if (!later.empty())
+    {
+        Info<< "Later times of an earlier run stay: " << later.c_str() << nl
+            << "A start from latestTime would go on from them, not from this run."
+            << " To remove them:" << nl << "    rm -r " << later.c_str() << nl
+            << endl;
     }
 
     const string lacking(missing(name));

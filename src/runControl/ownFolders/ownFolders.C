@@ -5,6 +5,7 @@
 
 #include "ownFolders.H"
 
+#include <algorithm>
 #include <cstdio>
 #include <fcntl.h>
 #include <filesystem>
@@ -31,10 +32,23 @@ bool unlinkFolder(const fs::path& link)
 
     fs::remove_all(copy, error);
 
+    // One that leads to where it lies would never end
+    const fs::path target(fs::canonical(link, error));
+    const fs::path folder(fs::canonical(link.parent_path(), error));
+    const auto differs = std::mismatch
+    (
+        target.begin(), target.end(), folder.begin(), folder.end()
+    );
+    if (error || differs.first == target.end())
+    {
+        return false;
+    }
+
     // Links within it become real with it
-    fs::copy(fs::canonical(link, error), copy, fs::copy_options::recursive, error);
+    fs::copy(target, copy, fs::copy_options::recursive, error);
     if (error)
     {
+        fs::remove_all(copy, error);
         return false;
     }
 
@@ -53,12 +67,8 @@ bool unlinkFolder(const fs::path& link)
     return fs::remove(link, error) && (fs::rename(copy, link, error), !error);
 }
 
-} // End anonymous namespace
-
-
-bool Foam::ownFolders::make(const fileName& directory)
+bool makeOwn(const fs::path& top, const bool isTime)
 {
-    const fs::path top{std::string(directory)};
     std::error_code error;
 
     if (isLinkToFolder(top) && !unlinkFolder(top))
@@ -76,7 +86,12 @@ bool Foam::ownFolders::make(const fileName& directory)
     {
         if (entry.is_directory(error))
         {
-            folders.push_back(entry.path());
+            // Nothing of the run goes into other folders of a time
+            const fs::path name(entry.path().filename());
+            if (!isTime || name == "uniform" || name == "lagrangian")
+            {
+                folders.push_back(entry.path());
+            }
         }
         else if (entry.is_symlink(error) && !entry.exists(error))
         {
@@ -87,10 +102,18 @@ bool Foam::ownFolders::make(const fileName& directory)
     }
     for (const fs::path& folder : folders)
     {
-        if (!make(fileName(folder.string())))
+        if (!makeOwn(folder, false))
         {
             return false;
         }
     }
     return true;
+}
+
+} // End anonymous namespace
+
+
+bool Foam::ownFolders::make(const fileName& directory)
+{
+    return makeOwn(std::string(directory), true);
 }

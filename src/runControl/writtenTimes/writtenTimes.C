@@ -10,6 +10,7 @@
 #include "incompleteMarker.H"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <vector>
 
@@ -96,8 +97,10 @@ std::string Foam::writtenTimes::names() const
 Foam::writtenTimes::writtenTimes(const fileName& casePath)
 :
     casePath_(casePath),
-    anyOther_(false)
+    anyBefore_(false)
 {
+    scalar firstWritten = GREAT;
+    scalar firstOther = GREAT;
     DynamicList<fileName> ofProcessors;
     DynamicList<fileName> ofCase;
 
@@ -115,16 +118,18 @@ Foam::writtenTimes::writtenTimes(const fileName& casePath)
         }
         else if (isTime(name))
         {
-            if (isWritten(casePath/name))
+            const bool written = isWritten(casePath/name);
+            if (written)
             {
                 ofCase.append(name);
             }
-            else
-            {
-                anyOther_ = true;
-            }
+            scalar& first = written ? firstWritten : firstOther;
+            first = min(first, scalar(std::strtod(name.c_str(), nullptr)));
         }
     }
+
+    // Not one that a function object has made later
+    anyBefore_ = firstOther < firstWritten;
 
     ofProcessors.append(ofCase);
     folders_ = ofProcessors;
@@ -153,11 +158,12 @@ void Foam::writtenTimes::refuse() const
 
 void Foam::writtenTimes::checkRemovable() const
 {
-    if (folders_.size() && !anyOther_)
+    if (folders_.size() && !anyBefore_)
     {
         FatalErrorInFunction
-            << "All times of the case were written by a run: " << names().c_str()
-            << nl << "    Without them nothing would be left to start from."
+            << "No time of the case is from before the run that wrote "
+            << names().c_str()
+            << nl << "    Without these nothing would be left to start from."
             << " First copy the one with the boundary conditions to start from"
             << nl << "    (or 0.orig to 0), and remove its uniform/"
             << exit(FatalError);
